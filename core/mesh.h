@@ -1,0 +1,19 @@
+// A surface as faces with shared vertices: how truth/ sees everything, height fields too.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/vec.h"
+
+namespace plumb {
+
+/// Quads and triangles over one vertex list. A quad (a, b, c, d) is split along its diagonal
+/// b-d into the triangles (a, b, d) and (c, d, b), as Embree splits it. A triangle has d == c.
+struct Mesh {
+    std::vector<Vec3f> vertices_m;
+    std::vector<std::array<std::uint32_t, 4>> quads;
+};
+
+}  // namespace plumb

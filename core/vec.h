@@ -1,0 +1,13 @@
+// Vectors, by Eigen. Every room may include this; nothing here is ours but the names.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace plumb {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Vec3f = Eigen::Vector3f;
+
+}  // namespace plumb

@@ -1,0 +1,157 @@
+#include "io/whole_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace plumb {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void Fail(const fs::path& path, const std::string& what, int error) {
+    throw MachineError(path.string() + ": " + what + ": " + std::strerror(error));
+}
+
+/// An open file that is closed when its owner goes.
+class Descriptor {
+  public:
+    Descriptor(const fs::path& path, int flags) : fd_(open(path.c_str(), flags, 0666)) {}
+    ~Descriptor() {
+        if (fd_ >= 0) close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    bool IsOpen() const { return fd_ >= 0; }
+    int Get() const { return fd_; }
+
+    /// 0 or the error: some file systems report a full disk only here.
+    int Close() {
+        const int status = close(fd_);
+        fd_ = -1;
+        return status == 0 ? 0 : errno;
+    }
+
+  private:
+    int fd_;
+};
+
+void WriteAll(const Descriptor& file, std::string_view bytes, const fs::path& path) {
+    while (!bytes.empty()) {
+        const ssize_t written = write(file.Get(), bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) Fail(path, "cannot write", errno);
+        bytes.remove_prefix(std::size_t(written));
+    }
+}
+
+/// The file beside the target: removed unless it took the target's name.
+class PartFile {
+  public:
+    explicit PartFile(const fs::path& target) : target_(target) {
+        static std::atomic<int> serial = 0;
+        const std::string mark = ".part" + std::to_string(getpid()) + "-";
+        for (int error = EEXIST; error == EEXIST;) {
+            part_ = target;
+            part_.replace_filename(target.stem().string() + mark + std::to_string(++serial) +
+                                   target.extension().string());
+            const Descriptor file(part_, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC);
+            error = file.IsOpen() ? 0 : errno;
+            if (error != 0 && error != EEXIST) Fail(target, "cannot create", error);
+        }
+    }
+    ~PartFile() {
+        if (!committed_) unlink(part_.c_str());
+    }
+    PartFile(const PartFile&) = delete;
+    PartFile& operator=(const PartFile&) = delete;
+
+    const fs::path& Path() const { return part_; }
+
+    void Commit() {
+        Descriptor file(part_, O_RDONLY | O_CLOEXEC);
+        if (!file.IsOpen() || fsync(file.Get()) != 0) Fail(target_, "cannot write", errno);
+        if (const int error = file.Close()) Fail(target_, "cannot write", error);
+        if (rename(part_.c_str(), target_.c_str()) != 0) Fail(target_, "cannot replace", errno);
+        committed_ = true;
+        // The name itself is on the disk only once the folder is. Not every file system can.
+        const Descriptor folder(target_.parent_path(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (folder.IsOpen()) fsync(folder.Get());
+    }
+
+  private:
+    fs::path target_, part_;
+    bool committed_ = false;
+};
+
+/// The file that `path` means: links followed, folders made.
+fs::path Target(const fs::path& path) {
+    if (path.filename().empty()) throw MachineError(path.string() + ": names no file");
+    try {
+        const fs::path target = fs::weakly_canonical(fs::absolute(path));
+        fs::create_directories(target.parent_path());
+        return target;
+    } catch (const fs::filesystem_error& error) {
+        throw MachineError(path.string() +
+                           ": cannot make its folder: " + error.code().message());
+    }
+}
+
+bool IsDeviceOrPipe(const fs::path& target) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(target, ignored);
+    return fs::exists(status) && fs::is_other(status);
+}
+
+}  // namespace
+
+void WriteWholeFile(const fs::path& path, std::string_view bytes) {
+    const auto write_to = [&](const fs::path& target) {
+        Descriptor file(target, O_WRONLY | O_CLOEXEC);
+        if (!file.IsOpen()) Fail(path, "cannot open", errno);
+        WriteAll(file, bytes, path);
+        if (const int error = file.Close()) Fail(path, "cannot write", error);
+    };
+    if (IsDeviceOrPipe(path)) {
+        write_to(path);
+    } else {
+        WriteWholeFile(path, write_to);
+    }
+}
+
+void WriteWholeFile(const fs::path& path,
+                    const std::function<void(const fs::path& part)>& write) {
+    if (IsDeviceOrPipe(path)) throw MachineError(path.string() + ": is not a regular file");
+    PartFile part(Target(path));
+    write(part.Path());
+    part.Commit();
+}
+
+std::string ReadWholeFile(const fs::path& path) {
+    const auto fail = [&](const std::string& what) -> void {
+        throw Error(path.string() + ": cannot be read: " + what);
+    };
+    const Descriptor file(path, O_RDONLY | O_CLOEXEC);
+    if (!file.IsOpen()) fail(std::strerror(errno));
+    std::string bytes;
+    std::string block(1 << 16, '\0');
+    for (ssize_t n = 1; n > 0;) {
+        n = read(file.Get(), block.data(), block.size());
+        if (n < 0 && errno == EINTR) {
+            n = 1;
+            continue;
+        }
+        if (n < 0) fail(std::strerror(errno));
+        bytes.append(block.data(), std::size_t(n));
+    }
+    return bytes;
+}
+
+}  // namespace plumb

@@ -38,8 +38,8 @@ void SetThreadCount(int threads) {
         the.control = std::make_unique<tbb::global_control>(
             tbb::global_control::max_allowed_parallelism, std::size_t(threads));
     }
-    the.arena =
-        std::make_unique<tbb::task_arena>(threads > 0 ? threads : tbb::task_arena::automatic);
+    the.arena = std::make_unique<tbb::task_arena>(
+        threads > 0 ? threads : int{tbb::task_arena::automatic});
 }
 
 int ThreadCount() {

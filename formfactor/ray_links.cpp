@@ -1,0 +1,78 @@
+#include "formfactor/ray_links.h"
+
+#include "core/error.h"
+#include "core/sobol.h"
+#include "core/warp.h"
+#include "formfactor/make_links.h"
+#include "heightfield/facet.h"
+#include "heightfield/ray_cast.h"
+
+namespace plumb {
+namespace {
+
+class RayRow {
+  public:
+    RayRow(const HeightField& field, const WalkGrid& grid, const RayOptions& options)
+        : field_(field), grid_(grid), options_(options), far_m_(FarDistanceM(field)) {}
+
+    FacetResult Make(std::int64_t number, LinkBlock& block) {
+        const Facet f = FacetOf(field_, number);
+        const Basis frame(f.normal);
+        const Vec3 corner(0.5 * field_.SpacingXM(), 0.5 * field_.SpacingYM(), 0);
+        const bool uniform = options_.distribution == RayDistribution::kUniform;
+        row_.clear();
+        double cosine_all = 0, solid_all = 0, solid_open = 0, cut_short = 0;
+        for (int k = 0; k < options_.rays; ++k) {
+            const Vec3 local = RayDirection(options_, number, std::uint32_t(k));
+            const Vec3 d = frame.ToWorld(local);
+            const Vec3 x =
+                OriginM(f, options_.origins, options_.seed, number, std::uint32_t(k)) - corner;
+            const double w = uniform ? local.z() : 1, a = uniform ? 1 : 1 / local.z();
+            cosine_all += w;
+            solid_all += a;
+            std::int64_t met = CastFromFacet(grid_, number, x, d, far_m_);
+            if (met == kLost) {
+                cut_short += w;
+                met = d.z() > 0 ? kSky : number;
+            }
+            if (met == kSky) {
+                solid_open += a;
+            } else {
+                row_.emplace_back(std::uint32_t(met), w);
+            }
+        }
+        for (auto& [j, weight] : row_) weight /= cosine_all;
+        const double V = AppendRow(row_, block);
+        return {solid_open / solid_all, V, cut_short / cosine_all};
+    }
+
+  private:
+    const HeightField& field_;
+    const WalkGrid& grid_;
+    const RayOptions& options_;
+    double far_m_;
+    LinkRow row_;
+};
+
+}  // namespace
+
+void Validate(const RayOptions& o) {
+    if (o.rays < 1 || o.rays > 1048576) {
+        throw Error(MustBe("RayOptions::rays", o.rays, "in [1, 1048576]"));
+    }
+}
+
+Vec3 RayDirection(const RayOptions& o, std::int64_t number, std::uint32_t k) {
+    const Vec2 u = SobolOwenPair(k, 1, Absorb(o.seed, std::uint64_t(number)));
+    return o.distribution == RayDistribution::kUniform ? SampleUniformHemisphere(u)
+                                                       : SampleCosineHemisphere(u);
+}
+
+Links LinksByRays(const HeightField& field, const RayOptions& options, Monitor& monitor) {
+    Validate(options);
+    const WalkGrid grid(field);
+    return MakeLinks(
+        field.Facets(), [&] { return RayRow(field, grid, options); }, monitor);
+}
+
+}  // namespace plumb

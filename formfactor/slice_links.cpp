@@ -1,0 +1,191 @@
+#include "formfactor/slice_links.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/conventions.h"
+#include "core/error.h"
+#include "core/random.h"
+#include "formfactor/make_links.h"
+#include "heightfield/facet.h"
+#include "heightfield/facet_walk.h"
+
+namespace plumb {
+namespace {
+
+// Dimensions of the random numbers of one facet, apart from those of its origins.
+constexpr std::uint32_t kRotation = 0, kDrawTogether = 1;
+
+struct Stretch {
+    std::uint32_t facet;
+    double weight;
+};
+
+// Zenith angle and its sine and cosine of a line of slope m.
+struct Zenith {
+    double theta, sin, cos;
+    explicit Zenith(double m) : theta(std::atan2(1.0, m)) {
+        const double s = 1 / std::sqrt(1 + m * m);
+        sin = s, cos = m * s;
+    }
+};
+
+// G of the header for the cosine measure.
+double CosineBelow(const Zenith& z, double c, double n_z) {
+    return (c * (z.theta - z.sin * z.cos) + n_z * z.sin * z.sin) / 2;
+}
+
+// Draws thin neighbours together; see SliceOptions::links_per_slice.
+void AppendDrawnTogether(const std::vector<Stretch>& stretches, int most, double scale,
+                         const SliceOptions& o, std::uint64_t facet, std::uint32_t slice,
+                         LinkRow& row) {
+    if (int(stretches.size()) <= most) {
+        for (const Stretch& s : stretches) row.emplace_back(s.facet, s.weight * scale);
+        return;
+    }
+    double seen = 0;
+    for (const Stretch& s : stretches) seen += s.weight;
+    const double thin = seen / most;
+    double run = 0;
+    std::uint32_t chosen = 0, draws = 0;
+    for (const Stretch& s : stretches) {
+        if (s.weight >= thin) {
+            row.emplace_back(s.facet, s.weight * scale);
+            continue;
+        }
+        run += s.weight;
+        // Keeps each member of the run with a chance proportional to its weight.
+        const double xi = RandomUnit(o.seed, facet, slice, kDrawTogether + draws++);
+        if (xi * run < s.weight) chosen = s.facet;
+        if (run >= thin) {
+            row.emplace_back(chosen, run * scale);
+            run = 0;
+        }
+    }
+    if (run > 0) row.emplace_back(chosen, run * scale);
+}
+
+// Everything that one thread needs to make the row of one facet after another.
+class SliceRow {
+  public:
+    SliceRow(const HeightField& field, const WalkGrid& grid, const SliceOptions& options)
+        : field_(field), grid_(grid), options_(options), far_m_(FarM(field, options)) {}
+
+    FacetResult Make(std::int64_t facet, LinkBlock& block) {
+        const Facet f = FacetOf(field_, facet);
+        const double turn = options_.rotate
+                                ? RandomUnit(options_.seed, std::uint64_t(facet), 0, kRotation)
+                                : 0.5;
+        row_.clear();
+        slices_.clear();
+        stretches_.clear();
+        double cosine_all = 0, solid_all = 0, solid_open = 0, cut_short = 0;
+        for (int k = 0; k < options_.slices; ++k) {
+            const double phi = 2 * kPi * (k + turn) / options_.slices;
+            const Slice slice = Look(f, facet, k, std::cos(phi), std::sin(phi));
+            cosine_all += slice.cosine_all;
+            solid_all += slice.solid_all;
+            solid_open += slice.solid_open;
+            cut_short += slice.cut_short;
+        }
+        std::size_t begin = 0;
+        for (std::size_t k = 0; k < slices_.size(); ++k) {
+            one_.assign(stretches_.begin() + std::ptrdiff_t(begin),
+                        stretches_.begin() + std::ptrdiff_t(slices_[k]));
+            begin = slices_[k];
+            AppendDrawnTogether(one_, options_.links_per_slice, 1 / cosine_all, options_,
+                                std::uint64_t(facet), std::uint32_t(k), row_);
+        }
+        const double V = AppendRow(row_, block);
+        // A facet that sees only sky has alpha = 1 exactly: the sums are then the same numbers.
+        return {solid_open / solid_all, V, cut_short / cosine_all};
+    }
+
+  private:
+    struct Slice {
+        double cosine_all, solid_all, solid_open, cut_short;
+    };
+
+    static double FarM(const HeightField& field, const SliceOptions& options) {
+        const double relief = field.HighestM() - field.LowestM();
+        return relief / options.horizon_tolerance_rad + field.WidthM() + field.HeightM();
+    }
+
+    Slice Look(const Facet& f, std::int64_t facet, int k, double cos_phi, double sin_phi) {
+        const Vec3 x = OriginM(f, options_.origins, options_.seed, facet, std::uint32_t(k));
+        const double c = f.normal.x() * cos_phi + f.normal.y() * sin_phi, n_z = f.normal.z();
+        double horizon = -c / n_z;
+        const Zenith plane(horizon);
+        Slice out{CosineBelow(plane, c, n_z), 1 - plane.cos, 0, 0};
+        double below = out.cosine_all;  // G at the horizon so far.
+        const std::size_t begin = stretches_.size();
+        const double headroom_m = grid_.HighestM() - x.z();
+        const double tolerance = options_.horizon_tolerance_rad;
+        const WalkGrid::Start start{facet,
+                                    x.x() - 0.5 * field_.SpacingXM(),
+                                    x.y() - 0.5 * field_.SpacingYM(),
+                                    x.z(),
+                                    cos_phi,
+                                    sin_phi};
+        const WalkGrid::End end =
+            grid_.Walk(start, horizon, far_m_,
+                       [&](std::int64_t crossed, double t_m, double rise_m, double& slope) {
+                           if (rise_m <= slope * t_m) return true;
+                           slope = horizon = rise_m / t_m;
+                           const double next = CosineBelow(Zenith(slope), c, n_z);
+                           const double weight = below - next;
+                           below = next;
+                           if (weight > 0)
+                               stretches_.push_back({std::uint32_t(crossed), weight});
+                           // Nothing ahead rises above headroom / t: is the rest thinner than
+                           // the tolerance?
+                           return headroom_m > (slope + tolerance * (1 + slope * slope)) * t_m;
+                       });
+        Zenith last(horizon);
+        if (end != WalkGrid::End::kBorder && horizon < 0 && stretches_.size() > begin) {
+            // An endless surface hides all that lies below the horizontal.
+            const Zenith level(0.0);
+            const double next = CosineBelow(level, c, n_z);
+            if (below > next) {
+                out.cut_short = below - next;
+                stretches_.back().weight += below - next;
+                last = level;
+            }
+        }
+        out.solid_open = 1 - last.cos;
+        slices_.push_back(stretches_.size());
+        return out;
+    }
+
+    const HeightField& field_;
+    const WalkGrid& grid_;
+    const SliceOptions& options_;
+    double far_m_;
+    LinkRow row_;
+    std::vector<Stretch> stretches_, one_;  // Of all slices of a facet; of one of them.
+    std::vector<std::size_t> slices_;       // Where each slice's stretches end.
+};
+
+}  // namespace
+
+void Validate(const SliceOptions& o) {
+    if (o.slices < 4 || o.slices > 65536) {
+        throw Error(MustBe("SliceOptions::slices", o.slices, "in [4, 65536]"));
+    }
+    if (o.links_per_slice < 1) {
+        throw Error(MustBe("SliceOptions::links_per_slice", o.links_per_slice, ">= 1"));
+    }
+    if (!(o.horizon_tolerance_rad > 0 && o.horizon_tolerance_rad <= 0.1)) {
+        throw Error(MustBe("SliceOptions::horizon_tolerance_rad", o.horizon_tolerance_rad,
+                           "in (0, 0.1]"));
+    }
+}
+
+Links LinksBySlices(const HeightField& field, const SliceOptions& options, Monitor& monitor) {
+    Validate(options);
+    const WalkGrid grid(field);
+    return MakeLinks(
+        field.Facets(), [&] { return SliceRow(field, grid, options); }, monitor);
+}
+
+}  // namespace plumb

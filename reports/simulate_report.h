@@ -1,0 +1,41 @@
+// What a light simulation of one height map says: a page, a JSON document, a table of curves.
+//
+// Pure, as reports/fit_report.h: the same input gives the same bytes if `timings` is empty.
+//
+// Symbols  alpha, V, E_k, E(rho) as in core/conventions.h.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <ostream>
+#include <string>
+
+#include "core/bounce_histogram.h"
+#include "reports/amplitude_sweep.h"
+#include "reports/provenance.h"
+#include "reports/surface_report.h"
+#include "reports/timings.h"
+
+namespace plumb {
+
+struct SimulateReport {
+    Provenance provenance;  ///< Of one map.
+    SurfaceReport surface;
+    std::optional<AmplitudeSweep> amplitudes;
+    Timings timings;
+};
+
+/// Everything but the pictures.
+nlohmann::ordered_json ToJson(const SimulateReport& report);
+
+/// One page that needs nothing else: it opens offline.
+std::string ToHtml(const SimulateReport& report);
+
+/// One line a bin: low, high, count, alpha, V, then mean, sd, p05, p50, p95 of every E_k and
+/// E(rho). Means of empty bins are empty fields.
+void WriteHistogramCsv(std::ostream& out, const BounceHistogram& histogram);
+
+/// The figures of the surface, for a terminal.
+void WriteTable(std::ostream& out, const SimulateReport& report);
+
+}  // namespace plumb

@@ -1,0 +1,52 @@
+// What a light simulation says of one height map, as far as a report shows it.
+//
+// Symbols  alpha, V, E_k, E(rho) as in core/conventions.h; n_z the facet's normal along +z.
+// Beware   A figure that was not measured is NaN: JSON has null for it, a page a dash.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/bounce_histogram.h"
+#include "core/statistics.h"
+
+namespace plumb {
+
+/// The figures of one surface. Means are weighted by facet area unless the line says otherwise.
+struct SurfaceFigures {
+    static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+    std::int64_t facets = 0;
+    double mean_alpha = kUnknown;
+    double mean_V = kUnknown;
+    double mean_first_bounce = kUnknown;  ///< Mean E_1.
+    double mean_slope_deg = kUnknown;     ///< Mean angle between facet normal and +z.
+    double links_per_facet = kUnknown;    ///< Plain mean over facets.
+    double cut_short = kUnknown;  ///< Share of a hemisphere whose line of sight was cut.
+    double max_furnace_error = kUnknown;  ///< max |Sum_k E_k + tail - 1| at albedo 1.
+    double light_under_way = kUnknown;    ///< max_i 1 - Sum_{k <= K} E_k: what K bounces miss.
+    int bounces_run = 0;                  ///< Until the totals were settled; K or more.
+
+    /// Plain mean of V / n_z per unit of ground area: 1 on a closed (wrapped or mirrored)
+    /// surface, whatever its shape. The standard error is that of the sampling.
+    std::optional<Estimate> aperture;
+};
+
+/// Pictures are data URIs ("data:image/png;base64,..."), made by the caller; empty = not shown.
+struct SurfaceReport {
+    std::string name;
+    std::string heights_picture;     ///< Shaded relief.
+    std::string visibility_picture;  ///< V per texel, black 0, white 1.
+    BounceHistogram over_alpha;
+    BounceHistogram over_V;
+    SurfaceFigures figures;
+};
+
+nlohmann::ordered_json ToJson(const SurfaceFigures& figures);
+nlohmann::ordered_json ToJson(const SurfaceReport& report);  ///< Without the pictures.
+
+}  // namespace plumb

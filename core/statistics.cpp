@@ -1,0 +1,44 @@
+#include "core/statistics.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "core/distributions.h"
+
+namespace plumb {
+
+double HalfWidth(const Estimate& estimate, double confidence) {
+    if (estimate.n < 2) return std::numeric_limits<double>::infinity();
+    return StudentQuantile((1 + confidence) / 2, double(estimate.n - 1)) *
+           estimate.standard_error;
+}
+
+void Moments::Merge(const Moments& later) {
+    if (later.n_ == 0) return;
+    const double n = double(n_), m = double(later.n_), between = later.mean_ - mean_;
+    mean_ += between * (m / (n + m));
+    m2_ += later.m2_ + between * between * (n * m / (n + m));
+    n_ += later.n_;
+}
+
+Estimate Moments::Estimate() const {
+    return {.mean = mean_,
+            .standard_error = n_ < 2 ? std::numeric_limits<double>::infinity()
+                                     : std::sqrt(Variance() / double(n_)),
+            .n = n_};
+}
+
+double Percentile(std::vector<double> values, double share) {
+    assert(!values.empty() && 0 <= share && share <= 1);
+    const double position = share * double(values.size() - 1);
+    const auto lower = values.begin() + std::ptrdiff_t(position);
+    std::nth_element(values.begin(), lower, values.end());
+    const double fraction = position - std::floor(position);
+    if (fraction == 0) return *lower;
+    const double above = *std::min_element(lower + 1, values.end());
+    return *lower + fraction * (above - *lower);
+}
+
+}  // namespace plumb

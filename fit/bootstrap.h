@@ -43,11 +43,13 @@ struct BootstrapResult {
     int failed = 0;      ///< That did not converge, or drew maps with nothing to fit.
 };
 
-/// `samples` must come from at least two maps (Sample::map). Throws Error if not, and if fewer
-/// than two replicates give a fit.
+/// `samples` must come from at least two maps (Sample::map). Each replicate starts from the
+/// constants of the fit to all maps and, if options.starts > 1, from others too. Throws Error
+/// if there are too few maps, if that first fit throws, or if fewer than two replicates give a
+/// fit.
 BootstrapResult BootstrapOverMaps(const Model& model, std::span<const Sample> samples,
                                   const BootstrapOptions& bootstrap = {},
-                                  const LeastSquaresOptions& options = {},
+                                  const LeastSquaresOptions& options = {.starts = 2},
                                   Monitor& monitor = SilentMonitor());
 
 }  // namespace plumb

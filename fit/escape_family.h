@@ -1,8 +1,8 @@
 // The escape family: the paper's geometric series, written so that it cannot break.
 //
-//                                    rho g                      (1 - V) (1 - rho)
-//       E(rho) = V + (1 - V) ------------------- = 1 - -----------------------------
-//                              1 - rho (1 - g)              (1 - rho) + rho g
+//                                  rho g                    (1 - V) (1 - rho)
+//       E(rho) = V + (1 - V) ----------------- = 1 - ---------------------
+//                             1 - rho (1 - g)          (1 - rho) + rho g
 //
 //       g = clamp(a V^b, 0, 1)
 //
@@ -49,8 +49,8 @@ T Evaluate(const EscapeProbability<T>& g, const T& V) {
     return min(max(g.a * pow(V, g.b), T(0.0)), T(1.0));
 }
 
-/// E of a visibility and an escape probability. The second form above: the quotient never
-/// exceeds 1 - V in floating point either, so the laws hold to the last bit.
+/// E of a visibility and an escape probability. The second form above, in which the quotient
+/// cannot exceed 1: so 0 <= E <= 1 holds to the last bit, the other laws to a rounding of 1.
 template <class T>
 T EscapeTotal(const T& V, const T& g, Albedo rho) {
     if (rho.value >= 1) return T(1.0);

@@ -7,8 +7,8 @@
 //       covariance  C = s^2 (J^T J)^-1        s^2 = chi2 / dof, or 1 if w_i = 1 / sigma_i^2
 //       condition   sigma_max / sigma_min of J, and of J with its columns scaled to length 1
 //
-// Symbols  p parameters, y_i measured, f_i predicted, w_i weights, dof = samples - parameters.
-// Beware   rmse is weighted, sqrt(chi2 / Sum w): the plain one if all weights are equal.
+// Symbols  p parameters, y_i measured, f_i predicted, w_i weights, dof = samples - columns of
+// J. Beware   rmse is weighted, sqrt(chi2 / Sum w): the plain one if all weights are equal.
 //          Solved by Ceres (Levenberg-Marquardt, dense QR) on one thread: the same input gives
 //          the same bits.
 #pragma once
@@ -31,7 +31,7 @@ enum class ErrorScale {
 };
 
 struct LeastSquaresOptions {
-    int starts = 12;           ///< The initial values, then points of a Halton net. [1, ...)
+    int starts = 16;           ///< The initial values, then points of a Sobol net. [1, ...)
     int max_iterations = 300;  ///< For each start. [1, ...)
     ErrorScale error_scale = ErrorScale::kFromResiduals;
 
@@ -58,9 +58,9 @@ struct LeastSquaresFit {
     double condition_unscaled = 0;  ///< Of J as it is: depends on the units of p.
 
     double rmse = 0;          ///< sqrt(chi2 / Sum w), unitless as y.
-    double max_abs = 0;       ///< Largest |f_i - y_i| where w_i > 0.
+    double max_abs = 0;       ///< Largest |f_i - y_i|.
     double chi2_per_dof = 0;  ///< About 1 if the model is right and w_i = 1 / sigma_i^2.
-    int samples = 0;          ///< Of weight > 0.
+    int samples = 0;
 
     bool converged = false;  ///< Of the best start.
     int iterations = 0;      ///< Of the best start.
@@ -75,14 +75,15 @@ struct LeastSquaresProblem {
     std::string name;  ///< For messages.
     std::span<const Parameter> parameters;
     std::span<const double> y;
-    std::span<const double> weights;
+    std::span<const double> weights;  ///< (0, ...), one for each y.
 
     /// Writes f_i(p) and, if `jacobian` is not null, df_i/dp_j row by row.
     std::function<void(const double* p, double* f, double* jacobian)> predict;
 };
 
-/// Throws Error if y or a weight is not finite, if there are not more samples than parameters,
-/// or if the data say nothing of a parameter (LeastSquaresOptions::least_effect).
+/// Throws Error if y or a weight is not finite, if a weight is not positive, if there are not
+/// more samples than parameters, or if the data say nothing of a parameter
+/// (LeastSquaresOptions::least_effect).
 LeastSquaresFit Minimize(const LeastSquaresProblem& problem,
                          const LeastSquaresOptions& options = {});
 

@@ -63,12 +63,17 @@ struct Model {
     double (*differentiate)(const double* p, const LightPoint& at, double* gradient) = nullptr;
 };
 
-/// The model that the struct M describes. Instantiated in models.cpp for every model there is.
-template <class M>
-Model ModelOf();
-
-/// Every model of the room, each name once, in the order of models.cpp.
+/// Every model there is, in the order of models.cpp.
 std::span<const Model> AllModels();
+
+/// The model of that name. Throws Error, listing the names there are, if there is none.
+const Model& FindModel(std::string_view name);
+
+/// The model that the struct M describes.
+template <class M>
+const Model& ModelOf() {
+    return FindModel(M::kName);
+}
 
 /// A model with its constants filled in: a function of (alpha, V, rho), and its name.
 struct Formula {

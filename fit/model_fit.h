@@ -18,8 +18,8 @@
 
 namespace plumb {
 
-/// Throws Error as Minimize does, if a sample lacks an input of the model, and if the model has
-/// no free constant.
+/// Samples of weight 0 are left out. Throws Error as Minimize does, if a sample lacks an input
+/// of the model, and if the model has no free constant.
 LeastSquaresFit FitModel(const Model& model, std::span<const Sample> samples,
                          const LeastSquaresOptions& options = {});
 

@@ -20,30 +20,50 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 /// A parameter this near to a bound, relative to the bound or to 1, is held by it.
 constexpr double kBoundTolerance = 1e-9;
 
-/// sqrt(w_i) (f_i(p) - y_i), all samples as one block.
+/// Residuals sqrt(w_i) (f_i - y_i) and their Jacobian, not finite where the prediction is not.
+struct Linearization {
+    Eigen::VectorXd residuals;
+    Matrix J;
+};
+
+Linearization LinearizeAt(const double* p, const LeastSquaresProblem& problem) {
+    const auto rows = Eigen::Index(problem.y.size());
+    Linearization at{Eigen::VectorXd(rows), Matrix(rows, problem.parameters.size())};
+    problem.predict(p, at.residuals.data(), at.J.data());
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const double root_w = std::sqrt(problem.weights[i]);
+        at.residuals[i] = root_w * (at.residuals[i] - problem.y[i]);
+        at.J.row(i) *= root_w;
+    }
+    return at;
+}
+
+/// All residuals as one block; every parameter is a block of its own, so that it can be held.
 class WeightedResiduals final : public ceres::CostFunction {
   public:
     explicit WeightedResiduals(const LeastSquaresProblem& problem) : problem_(problem) {
         set_num_residuals(int(problem.y.size()));
-        mutable_parameter_block_sizes()->push_back(int(problem.parameters.size()));
+        mutable_parameter_block_sizes()->assign(problem.parameters.size(), 1);
     }
 
-    bool Evaluate(double const* const* p, double* residuals,
+    /// False, a step that the solver takes back, where a prediction is not finite.
+    bool Evaluate(double const* const* blocks, double* residuals,
                   double** jacobians) const override {
-        double* jacobian = jacobians ? jacobians[0] : nullptr;
-        problem_.predict(p[0], residuals, jacobian);
         const std::size_t n = problem_.parameters.size();
-        bool finite = true;
-        for (std::size_t i = 0; i < problem_.y.size(); ++i) {
-            const double root_w = std::sqrt(problem_.weights[i]);
-            residuals[i] = root_w * (residuals[i] - problem_.y[i]);
-            finite = finite && std::isfinite(residuals[i]);
-            for (std::size_t j = 0; jacobian && j < n; ++j) {
-                jacobian[i * n + j] *= root_w;
-                finite = finite && std::isfinite(jacobian[i * n + j]);
-            }
+        std::vector<double> p(n);
+        for (std::size_t j = 0; j < n; ++j) p[j] = *blocks[j];
+        if (!jacobians) {
+            problem_.predict(p.data(), residuals, nullptr);
+            for (std::size_t i = 0; i < problem_.y.size(); ++i)
+                residuals[i] = std::sqrt(problem_.weights[i]) * (residuals[i] - problem_.y[i]);
+            return Eigen::Map<const Eigen::VectorXd>(residuals, num_residuals()).allFinite();
         }
-        return finite;
+        const Linearization at = LinearizeAt(p.data(), problem_);
+        Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = at.residuals;
+        for (std::size_t j = 0; j < n; ++j)
+            if (jacobians[j])
+                Eigen::Map<Eigen::VectorXd>(jacobians[j], num_residuals()) = at.J.col(int(j));
+        return at.residuals.allFinite() && at.J.allFinite();
     }
 
   private:
@@ -72,25 +92,34 @@ std::vector<double> StartingPoint(std::span<const Parameter> parameters, int sta
     return p;
 }
 
+/// At a bound, and chi2 would fall beyond it. `slope` is d chi2 / dp.
+bool HeldByBound(double p, double slope, const Parameter& parameter) {
+    const auto near = [&](double bound) {
+        return std::abs(p - bound) <= kBoundTolerance * std::max(1.0, std::abs(bound));
+    };
+    return (near(parameter.low) && slope >= 0) || (near(parameter.high) && slope <= 0);
+}
+
 struct Descent {
     std::vector<double> p;
+    std::vector<bool> held;  ///< By its bound.
     double chi2 = std::numeric_limits<double>::infinity();
     bool converged = false;
     int iterations = 0;
     std::string termination;
 };
 
-Descent DescendFrom(std::vector<double> start, const LeastSquaresProblem& problem,
-                    const LeastSquaresOptions& options) {
-    Descent descent;
-    descent.p = std::move(start);
+/// One run of the solver from descent.p, with the parameters that are held kept where they are.
+void Solve(const LeastSquaresProblem& problem, const LeastSquaresOptions& options,
+           Descent& descent) {
     ceres::Problem ceres_problem;
-    ceres_problem.AddResidualBlock(new WeightedResiduals(problem), nullptr, descent.p.data());
-    for (std::size_t j = 0; j < problem.parameters.size(); ++j) {
-        ceres_problem.SetParameterLowerBound(descent.p.data(), int(j),
-                                             problem.parameters[j].low);
-        ceres_problem.SetParameterUpperBound(descent.p.data(), int(j),
-                                             problem.parameters[j].high);
+    std::vector<double*> blocks;
+    for (double& p : descent.p) blocks.push_back(&p);
+    ceres_problem.AddResidualBlock(new WeightedResiduals(problem), nullptr, blocks);
+    for (std::size_t j = 0; j < blocks.size(); ++j) {
+        ceres_problem.SetParameterLowerBound(blocks[j], 0, problem.parameters[j].low);
+        ceres_problem.SetParameterUpperBound(blocks[j], 0, problem.parameters[j].high);
+        if (descent.held[j]) ceres_problem.SetParameterBlockConstant(blocks[j]);
     }
     ceres::Solver::Options solver;
     solver.linear_solver_type = ceres::DENSE_QR;
@@ -106,33 +135,32 @@ Descent DescendFrom(std::vector<double> start, const LeastSquaresProblem& proble
 
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &ceres_problem, &summary);
-    if (summary.IsSolutionUsable()) descent.chi2 = 2 * summary.final_cost;
+    descent.chi2 = summary.IsSolutionUsable() ? 2 * summary.final_cost
+                                              : std::numeric_limits<double>::infinity();
     descent.converged = summary.termination_type == ceres::CONVERGENCE;
-    descent.iterations = int(summary.iterations.size());
+    descent.iterations += int(summary.iterations.size());
     descent.termination = summary.message;
+}
+
+/// The solver projects its steps onto the bounds and can stall beside the minimum on a bound.
+/// So what a bound holds is taken out and the rest solved again, until the same ones are held.
+Descent DescendFrom(std::vector<double> start, const LeastSquaresProblem& problem,
+                    const LeastSquaresOptions& options) {
+    const std::size_t n = problem.parameters.size();
+    Descent descent;
+    descent.p = std::move(start);
+    descent.held.assign(n, false);
+    for (std::size_t round = 0; round <= n; ++round) {
+        Solve(problem, options, descent);
+        const Linearization at = LinearizeAt(descent.p.data(), problem);
+        const Eigen::VectorXd slope = 2 * at.J.transpose() * at.residuals;
+        std::vector<bool> held(n);
+        for (std::size_t j = 0; j < n; ++j)
+            held[j] = HeldByBound(descent.p[j], slope[int(j)], problem.parameters[j]);
+        if (held == descent.held) break;
+        descent.held = held;
+    }
     return descent;
-}
-
-bool HeldByBound(double p, const Parameter& parameter) {
-    const auto near = [&](double bound) {
-        return std::abs(p - bound) <= kBoundTolerance * std::max(1.0, std::abs(bound));
-    };
-    return near(parameter.low) || near(parameter.high);
-}
-
-/// Prediction and Jacobian at p, both with sqrt(w): NaN where the prediction has no value.
-struct Linearization {
-    Eigen::VectorXd residuals;
-    Matrix J;
-};
-
-Linearization LinearizeAt(const std::vector<double>& p, const LeastSquaresProblem& problem) {
-    Linearization at{Eigen::VectorXd(problem.y.size()),
-                     Matrix(problem.y.size(), problem.parameters.size())};
-    const double* block = p.data();
-    double* jacobian = at.J.data();
-    WeightedResiduals(problem).Evaluate(&block, at.residuals.data(), &jacobian);
-    return at;
 }
 
 /// Throws if some parameter moves no prediction at any start.
@@ -141,7 +169,8 @@ void RequireEffect(const LeastSquaresProblem& problem, const LeastSquaresOptions
     const std::size_t n = problem.parameters.size();
     std::vector<double> effect(n, 0);
     for (int start = 0; start < options.starts; ++start) {
-        const Matrix J = LinearizeAt(StartingPoint(problem.parameters, start), problem).J;
+        const Matrix J =
+            LinearizeAt(StartingPoint(problem.parameters, start).data(), problem).J;
         for (std::size_t j = 0; j < n; ++j) {
             const double range = problem.parameters[j].high - problem.parameters[j].low;
             const double moved = range * J.col(int(j)).norm() / std::sqrt(sum_w);
@@ -261,16 +290,14 @@ LeastSquaresFit Minimize(const LeastSquaresProblem& problem,
 
     std::vector<int> free;
     for (std::size_t j = 0; j < problem.parameters.size(); ++j) {
-        const Parameter& parameter = problem.parameters[j];
-        const bool held = HeldByBound(best.p[j], parameter);
-        fit.parameters.push_back({.name = std::string(parameter.name),
+        fit.parameters.push_back({.name = std::string(problem.parameters[j].name),
                                   .value = best.p[j],
                                   .standard_error = {},
-                                  .at_bound = held});
-        if (!held) free.push_back(int(j));
+                                  .at_bound = best.held[j]});
+        if (!best.held[j]) free.push_back(int(j));
     }
 
-    const Linearization at = LinearizeAt(best.p, problem);
+    const Linearization at = LinearizeAt(best.p.data(), problem);
     const double chi2 = at.residuals.squaredNorm();
     fit.rmse = std::sqrt(chi2 / sum_w);
     for (Eigen::Index i = 0; i < at.residuals.size(); ++i)

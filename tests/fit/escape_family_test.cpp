@@ -1,0 +1,120 @@
+#include "fit/escape_family.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fit/cavity.h"
+#include "fit/mayaux_total.h"
+
+namespace plumb {
+namespace {
+
+// Two roundings of a number near 1.
+constexpr double kRounding = 4e-16;
+
+/// 0 and 1, both neighbourhoods to the last bit, and the middle.
+std::vector<double> Shares() {
+    std::vector<double> shares{0, 1e-300, 1e-17, 1e-9, 1 - 1e-9, std::nextafter(1.0, 0.0), 1};
+    for (int i = 1; i < 32; ++i) shares.push_back(i / 32.0);
+    return shares;
+}
+
+/// Every law of the family, at one point; `E` is a function of the albedo.
+void ExpectLaws(const std::function<double(double)>& E, double V, const std::string& where) {
+    std::vector<double> albedos = Shares();
+    std::sort(albedos.begin(), albedos.end());
+    double last = 0;
+    for (double rho : albedos) {
+        const double value = E(rho);
+        ASSERT_TRUE(std::isfinite(value)) << where << " rho " << rho;
+        EXPECT_GE(value, 0) << where << " rho " << rho;
+        EXPECT_LE(value, 1) << where << " rho " << rho;
+        EXPECT_GE(value, V - kRounding) << where << " rho " << rho;
+        EXPECT_GE(value, last - kRounding) << where << " rho " << rho;
+        last = value;
+    }
+    EXPECT_NEAR(E(0), V, kRounding) << where;
+    EXPECT_EQ(E(1), 1) << where;
+}
+
+/// The corners and middles of a model's bounds, far beyond them too: the laws need no bounds.
+const std::vector<double> kAnyFactor{-5, 0, 1e-12, 0.05, 0.5, 1, 4, 1e6};
+const std::vector<double> kAnyExponent{0, 0.01, 0.4, 1, 6, 100};
+
+TEST(EscapeOfV, KeepsItsLawsForAnyConstants) {
+    for (double a : kAnyFactor)
+        for (double b : kAnyExponent)
+            for (double V : Shares()) {
+                const std::array p{a, b};
+                ExpectLaws(
+                    [&](double rho) {
+                        return EscapeOfV::Evaluate(p.data(), CosineVisibility(V), Albedo(rho));
+                    },
+                    V, testing::PrintToString(p) + " V " + testing::PrintToString(V));
+            }
+}
+
+TEST(EscapeOfAlpha, KeepsItsLawsWithinTheBoundsOfF0) {
+    for (double a0 : {-1.0, 0.0, 0.5, 1.0})
+        for (double p0 : {1.0, 1.3, 10.0})
+            for (double a : kAnyFactor)
+                for (double alpha : Shares()) {
+                    const std::array p{a0, p0, a, 0.4};
+                    const UniformVisibility at(alpha);
+                    const double V = Evaluate(DirectFactor<>{a0, p0}, at);
+                    ASSERT_GE(V, 0);
+                    ASSERT_LE(V, 1);
+                    ExpectLaws(
+                        [&](double rho) {
+                            return EscapeOfAlpha::Evaluate(p.data(), at, Albedo(rho));
+                        },
+                        V,
+                        testing::PrintToString(p) + " alpha " + testing::PrintToString(alpha));
+                }
+}
+
+// Expected: the bounds that a fit keeps are those that the laws need.
+TEST(EscapeOfAlpha, BoundsOfTheFitKeepF0WithinTheBoundsOfV) {
+    const auto& [a0, p0, a, b] = EscapeOfAlpha::kParameters;
+    EXPECT_GE(a0.low, -1);
+    EXPECT_LE(a0.high, 1);
+    EXPECT_GE(p0.low, 1);
+}
+
+// Expected: a = b = 1, g = V, is the cavity: V / (1 - rho (1 - V)), exact in a spherical bowl.
+TEST(EscapeOfV, HasTheCavityAsAMember) {
+    const std::array p{1.0, 1.0};
+    for (double V : {0.05, 0.3, 0.75})
+        for (double rho : {0.0, 0.2, 0.9, 1.0})
+            EXPECT_NEAR(EscapeOfV::Evaluate(p.data(), CosineVisibility(V), Albedo(rho)),
+                        CavityTotal(CosineVisibility(V), Albedo(rho)), kRounding);
+}
+
+// Expected: the family is [Mayaux18 eq. 10] with F1 = (1 - F0) g, tau = 1 - g; and that tau is
+// the one of [Mayaux18 eq. 9].
+TEST(EscapeTotal, IsThePapersSeriesReparametrized) {
+    for (double V : {0.05, 0.3, 0.75})
+        for (double g : {0.1, 0.4, 0.9})
+            for (double rho : {0.2, 0.5, 0.9}) {
+                const double F1 = (1 - V) * g;
+                EXPECT_NEAR(BounceRatio(V, F1), 1 - g, kRounding);
+                EXPECT_NEAR(EscapeTotal(V, g, Albedo(rho)),
+                            GeometricTotal(V, F1, 1 - g, Albedo(rho)), kRounding);
+            }
+}
+
+// Expected: the infinite wedge of 60 degrees: V = sin^2(30 deg) = 1/4 everywhere on it, so at
+// rho = 4/5 E = (1/4) / (1 - (4/5)(3/4)) = 5/8.
+TEST(Cavity, WedgeOfSixtyDegrees) {
+    EXPECT_NEAR(CavityTotal(CosineVisibility(0.25), Albedo(0.8)), 0.625, kRounding);
+    EXPECT_EQ(CavityTotal(CosineVisibility(0), Albedo(1)), 1);
+}
+
+}  // namespace
+}  // namespace plumb

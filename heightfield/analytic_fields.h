@@ -108,8 +108,9 @@ struct Bowl {
 };
 
 /// A plane wave, z = A/2 sin(2 pi (k_x u + k_y v)) with u, v in [0, 1) across the tile and
-/// u = (i + 1/2) / width_texels. Smooth and periodic: what holds for every wrapped field (mean
-/// of V / n_z = 1) is reached here with an error of order s^2.
+/// u = (i + 1/2) / width_texels. No closed form of its light, but the smooth member of the
+/// family: on the grid it is off by at most pi^2 A s^2 (k_x^2 / W^2 + k_y^2 / H^2) / 2, with
+/// W, H the extents of the tile, so an error of order s^2 can be told from one of order s.
 struct Sinusoid {
     double amplitude_m = 0.3;  ///< A, trough to crest. [0, ...)
     int periods_x = 1;         ///< k_x. [0, width_texels / 2)

@@ -40,16 +40,15 @@ double BricksHeight(const Bricks& bricks, double u, double v) {
     // Laid by hand: out of place by up to 0.15 of a joint, out of line by 0.2 at its ends.
     const double joint = bricks.mortar;
     const double turn = 0.4 * bricks.unevenness * joint * r(1) / (length / 2);
-    const double x0 = (along - column - 0.5) * length + 0.3 * bricks.unevenness * joint * r(2);
-    const double y0 = v * n - row - 0.5 + 0.3 * bricks.unevenness * joint * r(3);
+    const double x_slot = (along - column - 0.5) * length, y_slot = v * n - row - 0.5;
+    const double x0 = x_slot + 0.3 * bricks.unevenness * joint * r(2);
+    const double y0 = y_slot + 0.3 * bricks.unevenness * joint * r(3);
     const double x = x0 - turn * y0, y = y0 + turn * x0;
 
     const double a = length / 2 - joint / 2, b = 0.5 - joint / 2, radius = 0.04;
     const double qx = std::abs(x) - a + radius, qy = std::abs(y) - b + radius;
     double depth = radius - std::hypot(std::max(qx, 0.0), std::max(qy, 0.0)) -
                    std::min(std::max(qx, qy), 0.0);
-    // Fraying adds at most 0.15 of a joint and chips only take away: with the 0.35 above the
-    // depth is 0 or less half a joint off, where the face jumps, so z does not.
     depth += 0.15 * joint * bricks.chips *
              Fbm(bricks.seed, kFray, u, v, {.n_x = 4 * n, .n_y = 4 * n, .count = 4});
     const double chip = Fbm(brick, kChip, u, v, {.n_x = 2 * n, .n_y = 2 * n, .count = 3});
@@ -57,7 +56,9 @@ double BricksHeight(const Bricks& bricks, double u, double v) {
 
     const double mortar =
         0.1 + 0.2 * Fbm(bricks.seed, kMortar, u, v, {.n_x = 4 * n, .n_y = 4 * n, .gain = 0.75});
-    const double p = SmoothStep(0, bricks.edge, depth);
+    // The face jumps on the border to the next brick; there p is 0, so that z does not.
+    const double to_next = std::min(length / 2 - std::abs(x_slot), 0.5 - std::abs(y_slot));
+    const double p = SmoothStep(0, bricks.edge, std::min(depth, to_next));
     if (p <= 0) return mortar;
     const double swell = Fbm(brick, kFace, u, v, {.n_x = n, .n_y = 2 * n, .count = 4});
     const double grain =

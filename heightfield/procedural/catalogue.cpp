@@ -32,7 +32,7 @@ const std::array<ProceduralKind, 8> kKinds{{
      [](std::uint64_t seed, const Tile& tile) { return MakeTerrain({.seed = seed}, tile); }},
     {"ridges", "fractal mountains with sharp crests", 0.25,
      [](std::uint64_t seed, const Tile& tile) {
-         return MakeTerrain({.seed = seed, .roughness = 0.55, .ridges = 1}, tile);
+         return MakeTerrain({.seed = seed, .ridges = 1}, tile);
      }},
     {"shapes", "boxes, cylinders, domes, pyramids and cones on level ground",
      Shapes::kAmplitudePerWidth,

@@ -1,15 +1,16 @@
 // Cobbles: round-topped stones set close to each other, sand in the joints.
 //
-//   z = max(sand, level + tilt + dome(t) + noise),   t = (distance to the cell border - gap) /
-//   R
+//   z = max(sand, dome (level + tilt + noise))
+//   dome = (1 - (1 - t)^3) sqrt(1 - r^2 / S^2),     t = (e - gap) / R in [0, 1]
 //
-// Stones are the cells of a jittered lattice. The dome is 1 - (1 - t)^3, times a fall-off from
-// the middle of the stone that rounds the corners of its cell.
+// Stones are the cells of a jittered lattice, their borders bent by noise.
 //
-// Source   Ours; the cells are [Worley96]'s.
-// Symbols  u, v position in tiles, period 1; lengths in lattice cells, R = 0.4.
+// Source   Ours; the cells are [Worley96]'s (noise.h).
+// Symbols  u, v position in tiles, period 1; e distance to the cell border, its corners
+//          rounded, r to the middle of the stone, R = 0.3 reach of the flank, S = 0.85: lengths
+//          in lattice cells.
 // Domain   Any u, v. The result lies in about [0, 1]; MakeCobbles stretches it to the
-// amplitude.
+//          amplitude.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +23,8 @@ namespace plumb {
 struct Cobbles {
     std::uint64_t seed = 1;
     int stones = 9;           ///< Along either side of the tile. [2, 128]
-    double jitter = 0.65;     ///< 0 = a square grid, 1 = anywhere in the lattice cell. [0, 1]
-    double gap = 0.05;        ///< Half the width of a joint at sand level. [0, 0.2]
+    double jitter = 0.5;      ///< 0 = a square grid, 1 = anywhere in the lattice cell. [0, 1]
+    double gap = 0;           ///< Added to half the width of every joint. [0, 0.2]
     double unevenness = 0.4;  ///< How much levels and tilts of the stones differ. [0, 1]
     double relief = 0.3;      ///< Height of the noise on the stones. [0, 1]
 };

@@ -19,7 +19,7 @@
 
 namespace plumb {
 
-/// Defaults: chosen by eye; the largest pebbles are 15 cm on a 1 m tile.
+/// Defaults: chosen by eye; the largest pebbles are 13 to 21 cm long on a 1 m tile.
 struct Gravel {
     std::uint64_t seed = 1;
     int stones = 7;         ///< Of the largest scale, along either side of the tile. [2, 64]

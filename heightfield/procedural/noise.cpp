@@ -34,32 +34,42 @@ double GradientNoise(std::uint64_t seed, std::uint64_t stream, double u, double 
 
 namespace {
 
-template <class Shape>
-double SumOctaves(std::uint64_t seed, std::uint64_t stream, double u, double v,
-                  const Octaves& octaves, const Shape& shape) {
-    double sum = 0, norm = 0, weight = 1;
-    for (int o = 0; o < octaves.count; ++o) {
-        // Octaves of one sum must not share gradients: their nodes coincide.
-        const std::uint64_t octave_stream = stream * 64 + o;
-        sum += weight * shape(GradientNoise(seed, octave_stream, u, v, octaves.n_x << o,
-                                            octaves.n_y << o));
-        norm += weight;
-        weight *= octaves.gain;
-    }
-    return sum / norm;
+// Gradient noise of octave o. Octaves of one sum must not share gradients, and as noise is 0 on
+// its nodes, not nodes either: each has its own stream and its own shift.
+double Octave(std::uint64_t seed, std::uint64_t stream, double u, double v,
+              const Octaves& octaves, int o) {
+    const std::uint64_t octave_stream = stream * 64 + o;
+    return GradientNoise(seed, octave_stream, u + Uniform(seed, octave_stream, -1, 0),
+                         v + Uniform(seed, octave_stream, 0, -1), octaves.n_x << o,
+                         octaves.n_y << o);
 }
 
 }  // namespace
 
 double Fbm(std::uint64_t seed, std::uint64_t stream, double u, double v,
            const Octaves& octaves) {
-    return SumOctaves(seed, stream, u, v, octaves, [](double n) { return n; });
+    double sum = 0, norm = 0, weight = 1;
+    for (int o = 0; o < octaves.count; ++o) {
+        sum += weight * Octave(seed, stream, u, v, octaves, o);
+        norm += weight;
+        weight *= octaves.gain;
+    }
+    return sum / norm;
 }
 
 double RidgedFbm(std::uint64_t seed, std::uint64_t stream, double u, double v,
                  const Octaves& octaves) {
-    return SumOctaves(seed, stream, u, v, octaves,
-                      [](double n) { return 1 - 2 * std::abs(n); });
+    double sum = 0, norm = 0, weight = 1, below = 1;
+    for (int o = 0; o < octaves.count; ++o) {
+        const double crest =
+            std::max(0.0, 1 - 2 * std::abs(Octave(seed, stream, u, v, octaves, o)));
+        const double r = crest * crest * below;
+        sum += weight * r;
+        norm += weight;
+        weight *= octaves.gain;
+        below = std::min(1.0, 2 * r);
+    }
+    return sum / norm;
 }
 
 CellPoint NearestSite(std::uint64_t seed, std::uint64_t stream, double u, double v, int n_x,
@@ -87,13 +97,20 @@ CellPoint NearestSite(std::uint64_t seed, std::uint64_t stream, double u, double
         }
     }
     const Site& a = sites[nearest];
-    double to_edge = kFarthestEdge;
+    double to_edge = kFarthestEdge, near_edges = 0;
     for (const Site& b : sites) {
         // The border of a and b is their bisector, (|b|^2 - |a|^2) / (2 |b - a|) away.
-        const double between = std::hypot(b.dx - a.dx, b.dy - a.dy);
-        if (between > 0) to_edge = std::min(to_edge, (squared(b) - squared(a)) / (2 * between));
+        const double between =
+            std::sqrt((b.dx - a.dx) * (b.dx - a.dx) + (b.dy - a.dy) * (b.dy - a.dy));
+        if (between == 0) continue;  // a itself.
+        const double to_border = (squared(b) - squared(a)) / (2 * between);
+        if (to_border >= kFarthestEdge) continue;
+        to_edge = std::min(to_edge, to_border);
+        near_edges += std::exp(-kRounding * to_border) - std::exp(-kRounding * kFarthestEdge);
     }
-    return {a.i, a.j, -a.dx, -a.dy, to_edge};
+    const double rounded =
+        -std::log(near_edges + std::exp(-kRounding * kFarthestEdge)) / kRounding;
+    return {a.i, a.j, -a.dx, -a.dy, to_edge, rounded};
 }
 
 }  // namespace plumb::procedural

@@ -2,12 +2,14 @@
 //
 //   Hash            64 bits of (seed, stream, i, j), a counter: no state, no order of drawing
 //   GradientNoise   lattice of random gradients, joined by a quintic; |n| <= 1, n = 0 at nodes
-//   Fbm             Sum_o gain^o n(2^o x) / Sum_o gain^o             |f| <= 1
-//   RidgedFbm       the same of 1 - 2 |n|: sharp crests              in [-1, 1]
+//   Fbm             Sum_o gain^o n(2^o x) / Sum_o gain^o              |f| <= 1
+//   RidgedFbm       Sum_o gain^o r_o / Sum_o gain^o,                  in [0, 1]
+//                   r_o = max(0, 1 - 2 |n|)^2 min(1, 2 r_(o-1)): sharp crests, smooth valleys
 //   NearestSite     the cell diagram of one jittered site a lattice cell
 //
 // Source   [Perlin02] K. Perlin, Improving Noise (quintic fade); [Worley96] S. Worley, A
-//          Cellular Texture Basis Function; the mixer is the finalizer of SplitMix64 (G. Steele
+//          Cellular Texture Basis Function; ridges: F. K. Musgrave in D. Ebert et al.,
+//          Texturing and Modeling; the mixer is the finalizer of SplitMix64 (G. Steele
 //          et al., Fast Splittable Pseudorandom Number Generators, 2014).
 // Symbols  u, v position in tiles; x = n_x u lattice coordinate; o octave.
 // Beware   Gradients are drawn from the square [-1, 1]^2, not from the circle: with unit
@@ -90,12 +92,17 @@ struct CellPoint {
     std::int64_t i = 0, j = 0;  ///< Lattice cell of the nearest site, wrapped: its identity.
     double dx = 0, dy = 0;      ///< From the nearest site to the point.
     double to_edge = 0;         ///< To the nearest cell border, at most kFarthestEdge.
+    double to_rounded = 0;      ///< The same with corners rounded: see kRounding. <= to_edge
 };
 
 /// Borders farther than this are not looked for. A site outside the 7 x 7 lattice cells looked
 /// at is 3 or more away, the nearest within sqrt(2), so their border is (3 - sqrt(2)) / 2 =
 /// 0.79 or more away: to_edge is exact, and so continuous.
 inline constexpr double kFarthestEdge = 0.79;
+
+/// k of the soft minimum -1/k ln Sum exp(-k d) over the borders that are nearer than
+/// kFarthestEdge, where each enters with nothing: smooth, and below 0 in corners.
+inline constexpr double kRounding = 9;
 
 /// `jitter` of [0, 1]: 0 = sites in the middle of their lattice cells, 1 = anywhere in them.
 CellPoint NearestSite(std::uint64_t seed, std::uint64_t stream, double u, double v, int n_x,

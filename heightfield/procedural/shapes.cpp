@@ -47,7 +47,7 @@ double ShapesHeight(const Shapes& shapes, double u, double v) {
     const double x = Fraction(u) * n, y = Fraction(v) * n;
     const auto i0 = std::int64_t(x), j0 = std::int64_t(y);
     double z = 0;
-    // No solid reaches farther than 0.45 sqrt(2) + 0.15 from the middle of its lattice cell, so
+    // No solid reaches farther than 0.52 sqrt(2) + 0.15 from the middle of its lattice cell, so
     // one cell on either side holds all that stand here.
     for (std::int64_t j = j0 - 1; j <= j0 + 1; ++j) {
         for (std::int64_t i = i0 - 1; i <= i0 + 1; ++i) {
@@ -58,7 +58,7 @@ double ShapesHeight(const Shapes& shapes, double u, double v) {
             const double turn = kPi * r(3);
             const double along = dx * std::cos(turn) + dy * std::sin(turn);
             const double across = dy * std::cos(turn) - dx * std::sin(turn);
-            const double a = 0.27 + 0.18 * r(4), b = a * (0.5 + 0.5 * r(5));
+            const double a = 0.32 + 0.2 * r(4), b = a * (0.5 + 0.5 * r(5));
             // A cell's kind follows its neighbours' in a fixed round, shifted by the seed:
             // every tile of 5 or more solids has every kind.
             const auto kind = std::int64_t(Uniform(shapes.seed, kSolid, -1, -1) * kSolids) +

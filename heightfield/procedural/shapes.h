@@ -1,17 +1,18 @@
 // Boxes, cylinders, domes, pyramids and cones on level ground: large plane and smooth faces,
 // deep corners.
 //
-//   z = max over solids of  h profile(depth inside the footprint)
+//   z = max over solids of  h profile(position in the footprint)
 //
 // A solid stands in each lattice cell, of random kind, size, height and turn, near enough to
 // its neighbours to run into them now and then.
 //
 // Source   Ours, to [Mayaux18]'s figures: a texture of 1 m x 1 m, up to 45 cm high.
-// Symbols  u, v position in tiles, period 1; lengths in lattice cells, heights over the
-// highest. Domain   Any u, v. The result lies in [0, 1]; MakeShapes stretches it to the
-// amplitude. Beware   Walls of boxes and cylinders are ramps of width `edge`. The default tile
-// is 45 cm
-//          high, not 10.
+// Symbols  u, v position in tiles, period 1; h height over the highest possible; lengths in
+//          lattice cells.
+// Domain   Any u, v. The result lies in [0, 1]; MakeShapes stretches it to the amplitude.
+// Beware   Walls of boxes and cylinders are ramps of width `edge`; a dome meets the ground
+//          upright. The default tile is 45 cm high, not 10. A tile of very few texels may miss
+//          every solid; it is then flat and has no amplitude, which is an Error.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +21,10 @@
 
 namespace plumb {
 
-/// Defaults: chosen by eye; solids about 20 cm wide on a 1 m tile.
+/// Defaults: chosen by eye; solids 13 to 21 cm wide on a 1 m tile.
 struct Shapes {
     std::uint64_t seed = 1;
-    int solids = 4;      ///< Along either side of the tile. [1, 64]
+    int solids = 5;      ///< Along either side of the tile. [1, 64]
     double edge = 0.03;  ///< Width of the ramp that stands for a wall. [0.005, 0.2]
 
     static constexpr double kAmplitudePerWidth = 0.45;  ///< Of the default tile.

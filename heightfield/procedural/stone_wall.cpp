@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/conventions.h"
 #include "heightfield/procedural/noise.h"
 
 namespace plumb {
@@ -68,8 +69,9 @@ Stone FindStone(const StoneWall& wall, double u, double v) {
     const double left = joint(i) * heights_per_unit, right = joint(i + 1) * heights_per_unit;
     double low = CourseBorder(wall, k), high = CourseBorder(wall, k + 1);
     std::uint64_t hash = Hash(wall.seed, kStone, Wrap(i, n), course);
-    if (Uniform(Mix(hash + 1)) < 0.3 * wall.irregularity) {
-        const double split = low + (high - low) * (0.35 + 0.3 * Uniform(Mix(hash + 2)));
+    // Only a course high enough for two.
+    if (high - low > 0.95 && Uniform(Mix(hash + 1)) < 0.5 * wall.irregularity) {
+        const double split = low + (high - low) * (0.42 + 0.16 * Uniform(Mix(hash + 2)));
         if (y < split) {
             high = split;
         } else {
@@ -99,7 +101,7 @@ double FaceHeight(const StoneWall& wall, const Stone& stone, double u, double v)
     // A face is what is left when a few planes have split pieces off it.
     double split_off = 0;
     for (std::uint64_t f = 0; f < 5; ++f) {
-        const double angle = 2 * 3.14159265358979 * r(20 + 3 * f);
+        const double angle = 2 * kPi * r(20 + 3 * f);
         const double beyond = qx * std::cos(angle) + qy * std::sin(angle) - 0.5 * r(21 + 3 * f);
         split_off = std::max(split_off, beyond * (0.1 + 0.35 * r(22 + 3 * f)));
     }
@@ -135,13 +137,16 @@ double StoneWallHeight(const StoneWall& wall, double u, double v) {
     const double warped_v = v + warp * Fbm(wall.seed, kWarpV, u, v, bends);
     const Stone stone = FindStone(wall, warped_u, warped_v);
 
-    // |fray| <= mortar / 2: the depth is 0 or less on the border to the next stone, where the
-    // face jumps, so z does not.
     const double fray =
         0.5 * wall.mortar * wall.irregularity *
         Fbm(wall.seed, kOutline, u, v,
             {.n_x = 4 * wall.courses, .n_y = 4 * wall.courses, .count = 4, .gain = 0.6});
-    const double p = SmoothStep(0, wall.edge, DepthInside(stone, wall.mortar) + fray);
+    // The face jumps on the border to the next stone; there p is 0, whatever the noise says, so
+    // that z does not.
+    const double to_next =
+        std::min(stone.half_x - std::abs(stone.x), stone.half_y - std::abs(stone.y));
+    const double p =
+        SmoothStep(0, wall.edge, std::min(DepthInside(stone, wall.mortar) + fray, to_next));
     const double mortar =
         0.12 + 0.2 * Fbm(wall.seed, kMortar, u, v,
                          {.n_x = 5 * wall.courses, .n_y = 5 * wall.courses, .gain = 0.75});

@@ -10,8 +10,8 @@
 //          detailed wall, of amplitude about a tenth of the size: this is the stand-in for it.
 // Symbols  u, v position in tiles, period 1; lengths in mean course heights.
 // Domain   Any u, v. The result lies in about [0, 1]; MakeStoneWall stretches it to the
-// amplitude. Beware   The walls of the stones are ramps of width `edge`: sample finer than
-// that, or they
+//          amplitude.
+// Beware   The walls of the stones are ramps of width `edge`: sample finer than that, or they
 //          become ramps of one texel.
 #pragma once
 

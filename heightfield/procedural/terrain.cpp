@@ -28,10 +28,9 @@ double TerrainHeight(const Terrain& terrain, double u, double v) {
     const double bent_v = v + bend * Fbm(terrain.seed, kBendV, u, v, bends);
     const Octaves octaves{
         .n_x = n, .n_y = n, .count = terrain.octaves, .gain = terrain.roughness};
-    // Both sums draw the same gradients: a crest of one is a crest of the other.
     const double rolling = Fbm(terrain.seed, kHills, bent_u, bent_v, octaves);
     const double ridged = RidgedFbm(terrain.seed, kHills, bent_u, bent_v, octaves);
-    return 0.5 + 0.5 * (rolling + terrain.ridges * (ridged - rolling));
+    return (1 - terrain.ridges) * (0.5 + 0.5 * rolling) + terrain.ridges * ridged;
 }
 
 HeightField MakeTerrain(const Terrain& terrain, const Tile& tile) {

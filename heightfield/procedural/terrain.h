@@ -1,8 +1,8 @@
 // Fractal terrain: gradient noise summed over octaves, rolling hills to sharp ridges.
 //
-//   z = 1/2 + 1/2 Sum_o g^o ((1 - ridges) n + ridges (1 - 2 |n|)) / Sum_o g^o
+//   z = (1 - ridges) (1 + Fbm) / 2 + ridges RidgedFbm        (noise.h)
 //
-// with n gradient noise at n_0 2^o lattice cells a tile, sampled at a position that broader
+// with the octaves o on lattices of n_0 2^o cells a tile, sampled at a position that broader
 // noise has bent, so that valleys wind.
 //
 // Source   Fractional Brownian motion as in F. K. Musgrave's chapters of D. Ebert et al.,

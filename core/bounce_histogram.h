@@ -32,8 +32,9 @@ struct BounceBin {
     std::vector<Spread> total;   ///< E(rho) for every albedo of the histogram.
 };
 
-/// Which visibility the bins are cut by.
-enum class BinnedBy { kUniformVisibility, kCosineVisibility };
+/// Which visibility the bins are cut by. Bins by both are the squares of a grid over (alpha,
+/// V), row after row of rising alpha; low and high are then those of alpha.
+enum class BinnedBy { kUniformVisibility, kCosineVisibility, kBothVisibilities };
 
 struct BounceHistogram {
     std::string surface;  ///< Name of the map that it was measured on.

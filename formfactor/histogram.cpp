@@ -13,25 +13,31 @@ namespace plumb {
 
 HistogramBuilder::HistogramBuilder(std::string surface, BinnedBy binned_by, int bins,
                                    std::span<const double> alpha, std::span<const double> V) {
-    if (bins < 1 || bins > 100000)
-        throw Error(MustBe("histogram: bins", bins, "in [1, 100000]"));
+    const bool both = binned_by == BinnedBy::kBothVisibilities;
+    if (bins < 1 || bins > (both ? 1000 : 100000)) {
+        throw Error(MustBe("histogram: bins", bins, both ? "in [1, 1000]" : "in [1, 100000]"));
+    }
     if (alpha.empty() || alpha.size() != V.size()) {
         throw Error("histogram: alpha and V must hold one value a facet, and at least one");
     }
     histogram_.surface = std::move(surface);
     histogram_.binned_by = binned_by;
-    histogram_.bins.resize(std::size_t(bins));
-    for (int b = 0; b < bins; ++b) {
-        histogram_.bins[std::size_t(b)].low = double(b) / bins;
-        histogram_.bins[std::size_t(b)].high = double(b + 1) / bins;
+    histogram_.bins.resize(std::size_t(both ? bins * bins : bins));
+    for (std::size_t b = 0; b < histogram_.bins.size(); ++b) {
+        const int row = int(b) / (both ? bins : 1);
+        histogram_.bins[b].low = double(row) / bins;
+        histogram_.bins[b].high = double(row + 1) / bins;
     }
 
-    const std::span<const double> by = binned_by == BinnedBy::kUniformVisibility ? alpha : V;
-    std::vector<std::uint32_t> bin_of(by.size());
-    for (std::size_t i = 0; i < by.size(); ++i) {
-        bin_of[i] = std::uint32_t(std::clamp(int(by[i] * bins), 0, bins - 1));
+    const auto interval = [bins](double x) { return std::clamp(int(x * bins), 0, bins - 1); };
+    std::vector<std::uint32_t> bin_of(alpha.size());
+    for (std::size_t i = 0; i < alpha.size(); ++i) {
+        bin_of[i] =
+            std::uint32_t(both ? interval(alpha[i]) * bins + interval(V[i])
+                          : binned_by == BinnedBy::kUniformVisibility ? interval(alpha[i])
+                                                                      : interval(V[i]));
     }
-    order_.resize(by.size());
+    order_.resize(alpha.size());
     std::iota(order_.begin(), order_.end(), 0U);
     std::stable_sort(order_.begin(), order_.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return bin_of[a] < bin_of[b]; });
@@ -83,11 +89,12 @@ void HistogramBuilder::AddTotal(double albedo, std::span<const float> E) {
 double FloorOf(const BounceHistogram& histogram, int k, bool total) {
     double sum = 0, count = 0;
     for (const BounceBin& bin : histogram.bins) {
+        if (bin.count < 2) continue;
         const Spread& spread = (total ? bin.total : bin.bounce)[std::size_t(k)];
         sum += double(bin.count) * spread.variance;
         count += double(bin.count);
     }
-    return std::sqrt(sum / count);
+    return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
 }  // namespace plumb

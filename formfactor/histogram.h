@@ -23,8 +23,9 @@ namespace plumb {
 /// Gathers one quantity after another over bins that are cut once.
 class HistogramBuilder {
   public:
-    /// `bins` of equal width over [0, 1], by alpha or by V of every facet. Throws Error unless
-    /// 1 <= bins <= 100000 and the two spans have one length > 0.
+    /// `bins` of equal width over [0, 1], by alpha or by V of every facet; by both, a grid of
+    /// bins x bins. Throws Error unless 1 <= bins <= 100000 (1000 by both) and the two spans
+    /// have one length > 0.
     HistogramBuilder(std::string surface, BinnedBy binned_by, int bins,
                      std::span<const double> alpha, std::span<const double> V);
 
@@ -42,7 +43,7 @@ class HistogramBuilder {
     std::vector<std::size_t> bin_begin_;
 };
 
-/// The floor of the header for E_k (`total` false) or E(rho) number k (`total` true). Unitless.
+/// The floor of the header, over the bins of two facets or more (one alone shows no spread), for E_k (`total` false) or E(rho) number k (`total` true). Unitless.
 double FloorOf(const BounceHistogram& histogram, int k, bool total);
 
 }  // namespace plumb

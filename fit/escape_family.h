@@ -19,8 +19,12 @@
 //          author's own curves.
 // Symbols  V cosine visibility, alpha uniform visibility, rho albedo, g escape probability.
 // Domain   0 <= V <= 1, 0 <= alpha <= 1, 0 <= rho <= 1, any a, b.
-// Beware   Without V the family guesses it by F0(alpha), with -1 <= a0 <= 1 and p0 >= 1, which
-//          keeps F0 within [alpha^2, alpha (2 - alpha)] (fit/direct_factor.h).
+// Beware   Without V the family guesses it by F0(alpha), kept within [alpha^2, alpha (2 -
+// alpha)]
+//          (fit/direct_factor.h) in one of two ways: by -1 <= a0 <= 1 and p0 >= 1, or, with
+//          a0 >= 0 and any p0, by min(F0, alpha (2 - alpha)). The first is smooth; the second
+//          has a kink near alpha = 1 and reaches surfaces whose V rises faster than the first
+//          can.
 #pragma once
 
 #include <algorithm>
@@ -86,6 +90,25 @@ struct EscapeOfAlpha {
     template <class T>
     static T Evaluate(const T* p, UniformVisibility alpha, Albedo rho) {
         const T V = plumb::Evaluate(DirectFactor<T>{p[0], p[1]}, alpha);
+        return EscapeTotal(V, plumb::Evaluate(EscapeProbability<T>{p[2], p[3]}, V), rho);
+    }
+};
+
+/// From alpha, V guessed by min(F0, alpha (2 - alpha)).
+struct EscapeOfAlphaClamped {
+    static constexpr std::string_view kName = "escape of alpha, clamped";
+    static constexpr std::array<Parameter, 4> kParameters{{
+        {"a0", 0.485, 0, 4},
+        {"p0", 0.78, 0.05, 10},
+        {"a", 1.022, 0.05, 4},
+        {"b", 0.397, 0.01, 6},
+    }};
+
+    template <class T>
+    static T Evaluate(const T* p, UniformVisibility alpha, Albedo rho) {
+        using std::min;
+        const T V = min(plumb::Evaluate(DirectFactor<T>{p[0], p[1]}, alpha),
+                        T(GreatestCosineVisibility(alpha)));
         return EscapeTotal(V, plumb::Evaluate(EscapeProbability<T>{p[2], p[3]}, V), rho);
     }
 };

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <concepts>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "fit/bounce_family.h"
@@ -84,30 +86,27 @@ Model Erased() {
             .differentiate = &Differentiate<M>};
 }
 
-template <class... M>
-std::vector<Model> List() {
-    return {Erased<M>()...};
-}
-
 }  // namespace
 
 std::span<const Model> AllModels() {
-    static const std::vector<Model> kModels = List<  //
-        DirectFactorModel,                           //
-        FirstBounceModel,                            //
-        FreeFirstBounceModel,                        //
-        BounceCurveModel,                            //
-        MayauxTotalModel<PoleGuard::kNone>,          //
-        MayauxTotalModel<PoleGuard::kDemo>,          //
-        MayauxTotalModel<PoleGuard::kPort>,          //
-        MayauxTotalModel<PoleGuard::kPortHalfAlbedo>,
-        EscapeOfV,               //
-        EscapeOfAlpha,           //
-        PlainAlphaModel,         //
-        PlainVModel,             //
-        GtaoCubicModel,          //
-        GtaoCubicFedAlphaModel,  //
-        CavityModel>();
+    static const std::vector<Model> kModels{
+        Erased<DirectFactorModel>(),
+        Erased<FirstBounceModel>(),
+        Erased<FreeFirstBounceModel>(),
+        Erased<BounceCurveModel>(),
+        Erased<MayauxTotalModel<PoleGuard::kNone>>(),
+        Erased<MayauxTotalModel<PoleGuard::kDemo>>(),
+        Erased<MayauxTotalModel<PoleGuard::kPort>>(),
+        Erased<MayauxTotalModel<PoleGuard::kPortHalfAlbedo>>(),
+        Erased<EscapeOfV>(),
+        Erased<EscapeOfAlpha>(),
+        Erased<EscapeOfAlphaClamped>(),
+        Erased<PlainAlphaModel>(),
+        Erased<PlainVModel>(),
+        Erased<GtaoCubicModel>(),
+        Erased<GtaoCubicFedAlphaModel>(),
+        Erased<CavityModel>(),
+    };
     return kModels;
 }
 

@@ -79,6 +79,35 @@ TEST(EscapeOfAlpha, KeepsItsLawsWithinTheBoundsOfF0) {
                 }
 }
 
+TEST(EscapeOfAlphaClamped, KeepsItsLawsForAnyF0ThatOnlyBrightens) {
+    for (double a0 : {0.0, 0.5, 4.0, 1e6})
+        for (double p0 : {0.0, 0.05, 0.75, 10.0})
+            for (double a : kAnyFactor)
+                for (double alpha : Shares()) {
+                    const std::array p{a0, p0, a, 0.4};
+                    const UniformVisibility at(alpha);
+                    const double V = std::min(Evaluate(DirectFactor<>{a0, p0}, at),
+                                              GreatestCosineVisibility(at));
+                    ExpectLaws(
+                        [&](double rho) {
+                            return EscapeOfAlphaClamped::Evaluate(p.data(), at, Albedo(rho));
+                        },
+                        V,
+                        testing::PrintToString(p) + " alpha " + testing::PrintToString(alpha));
+                }
+}
+
+// Expected: with a0 = 1/2, p0 = 3/4 the clamp begins at alpha = 15/16 (fit/mayaux_faults.h):
+// at rho = 0 the value is F0 before, and the bound after.
+TEST(EscapeOfAlphaClamped, ClampsWhereF0BreaksTheBound) {
+    const std::array p{0.5, 0.75, 1.0, 0.4};
+    const auto E_0 = [&](double alpha) {
+        return EscapeOfAlphaClamped::Evaluate(p.data(), UniformVisibility(alpha), Albedo(0));
+    };
+    EXPECT_NEAR(E_0(0.9), Evaluate(kMayaux18DirectFactor, UniformVisibility(0.9)), kRounding);
+    EXPECT_NEAR(E_0(0.97), 0.97 * 1.03, kRounding);
+}
+
 // Expected: the bounds that a fit keeps are those that the laws need.
 TEST(EscapeOfAlpha, BoundsOfTheFitKeepF0WithinTheBoundsOfV) {
     const auto& [a0, p0, a, b] = EscapeOfAlpha::kParameters;

@@ -146,6 +146,14 @@ TEST_F(WallBounces, TheBoundedFamilyBeatsThePublishedConstants) {
     EXPECT_NEAR(fit.max_abs, 0.092, 5e-4);
 }
 
+// Expected: as above, from alpha with four constants: 0.0065 / 0.081, a0 = 0.485, p0 = 0.78,
+// a = 1.022, b = 0.397. That program did not bound F0; the clamp binds above alpha = 0.95 only.
+TEST_F(WallBounces, TheClampedFamilyReachesItFromAlphaToo) {
+    const LeastSquaresFit fit = FitModel(ModelOf<EscapeOfAlphaClamped>(), Totals());
+    EXPECT_NEAR(fit.rmse, 0.0065, 5e-5);
+    EXPECT_NEAR(fit.max_abs, 0.081, 5e-4);
+}
+
 // Expected: every bounce's curve has a fit, from most starts, within 2 % of the open
 // irradiance.
 TEST_F(WallBounces, EachBounceHasItsCurve) {

@@ -42,6 +42,7 @@ Facet FacetOf(const HeightField& field, std::int64_t facet) {
 }
 
 Mesh ToMesh(const HeightField& field, int tiles) {
+    if (field.GetBoundary() == Boundary::kOpen) tiles = 0;  // Nothing lies beyond its border.
     const int cells_x = field.CellsX(), cells_y = field.CellsY();
     const int i0 = -tiles * cells_x, i1 = (tiles + 1) * cells_x;
     const int j0 = -tiles * cells_y, j1 = (tiles + 1) * cells_y;

@@ -55,29 +55,18 @@ void WriteAll(const Descriptor& file, std::string_view bytes, const fs::path& pa
 /// The file beside the target: removed unless it took the target's name.
 class PartFile {
   public:
-    explicit PartFile(const fs::path& target) : target_(target) {
-        static std::atomic<int> serial = 0;
-        const std::string mark = ".part" + std::to_string(getpid()) + "-";
-        for (int error = EEXIST; error == EEXIST;) {
-            part_ = target;
-            part_.replace_filename(target.stem().string() + mark + std::to_string(++serial) +
-                                   target.extension().string());
-            const Descriptor file(part_, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC);
-            error = file.IsOpen() ? 0 : errno;
-            if (error != 0 && error != EEXIST) Fail(target, "cannot create", error);
-        }
-    }
+    explicit PartFile(const fs::path& target) : target_(target), part_(FreeName(target)) {}
     ~PartFile() {
         if (!committed_) unlink(part_.c_str());
     }
     PartFile(const PartFile&) = delete;
     PartFile& operator=(const PartFile&) = delete;
 
-    const fs::path& Path() const { return part_; }
-
-    void Commit() {
-        Descriptor file(part_, O_RDONLY | O_CLOEXEC);
-        if (!file.IsOpen() || fsync(file.Get()) != 0) Fail(target_, "cannot write", errno);
+    void WriteAndCommit(std::string_view bytes) {
+        Descriptor file(part_, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC);
+        if (!file.IsOpen()) Fail(target_, "cannot create", errno);
+        WriteAll(file, bytes, target_);
+        if (fsync(file.Get()) != 0) Fail(target_, "cannot write", errno);
         if (const int error = file.Close()) Fail(target_, "cannot write", error);
         if (rename(part_.c_str(), target_.c_str()) != 0) Fail(target_, "cannot replace", errno);
         committed_ = true;
@@ -87,6 +76,16 @@ class PartFile {
     }
 
   private:
+    static fs::path FreeName(const fs::path& target) {
+        static std::atomic<int> serial = 0;
+        fs::path part = target;
+        do {
+            part.replace_filename(target.filename().string() + ".part" +
+                                  std::to_string(getpid()) + "-" + std::to_string(++serial));
+        } while (fs::exists(part));
+        return part;
+    }
+
     fs::path target_, part_;
     bool committed_ = false;
 };
@@ -113,25 +112,14 @@ bool IsDeviceOrPipe(const fs::path& target) {
 }  // namespace
 
 void WriteWholeFile(const fs::path& path, std::string_view bytes) {
-    const auto write_to = [&](const fs::path& target) {
-        Descriptor file(target, O_WRONLY | O_CLOEXEC);
+    if (IsDeviceOrPipe(path)) {
+        Descriptor file(path, O_WRONLY | O_CLOEXEC);
         if (!file.IsOpen()) Fail(path, "cannot open", errno);
         WriteAll(file, bytes, path);
         if (const int error = file.Close()) Fail(path, "cannot write", error);
-    };
-    if (IsDeviceOrPipe(path)) {
-        write_to(path);
     } else {
-        WriteWholeFile(path, write_to);
+        PartFile(Target(path)).WriteAndCommit(bytes);
     }
-}
-
-void WriteWholeFile(const fs::path& path,
-                    const std::function<void(const fs::path& part)>& write) {
-    if (IsDeviceOrPipe(path)) throw MachineError(path.string() + ": is not a regular file");
-    PartFile part(Target(path));
-    write(part.Path());
-    part.Commit();
 }
 
 std::string ReadWholeFile(const fs::path& path) {

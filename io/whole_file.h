@@ -11,7 +11,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <string_view>
 
@@ -19,12 +18,6 @@ namespace plumb {
 
 /// Replaces `path` by `bytes`. Throws MachineError naming the path and what the system said.
 void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes);
-
-/// The same for content that a library writes by file name: `write(part)` writes the file
-/// `part`, which has the extension of `path` because libraries choose a format by it. What it
-/// throws is thrown on after `part` was removed.
-void WriteWholeFile(const std::filesystem::path& path,
-                    const std::function<void(const std::filesystem::path& part)>& write);
 
 /// All bytes of a file. Throws Error naming the file if it is missing or cannot be read.
 std::string ReadWholeFile(const std::filesystem::path& path);

@@ -10,6 +10,18 @@
 #include "core/statistics.h"
 
 namespace plumb {
+namespace {
+
+// The bin whose [b / bins, (b + 1) / bins) holds x, the last one closed. The product may round
+// across an edge (0.29 * 100 < 29); the edges themselves decide.
+std::uint32_t BinOf(double x, int bins) {
+    int b = std::clamp(int(x * bins), 0, bins - 1);
+    if (b > 0 && x < double(b) / bins) --b;
+    if (b < bins - 1 && x >= double(b + 1) / bins) ++b;
+    return std::uint32_t(b);
+}
+
+}  // namespace
 
 HistogramBuilder::HistogramBuilder(std::string surface, BinnedBy binned_by, int bins,
                                    std::span<const double> alpha, std::span<const double> V) {

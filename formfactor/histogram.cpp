@@ -12,13 +12,13 @@
 namespace plumb {
 namespace {
 
-// The bin whose [b / bins, (b + 1) / bins) holds x, the last one closed. The product may round
-// across an edge (0.29 * 100 < 29); the edges themselves decide.
-std::uint32_t BinOf(double x, int bins) {
+// The b whose [b / bins, (b + 1) / bins) holds x, the last interval closed. The product may
+// round across an edge (0.29 * 100 < 29); the edges themselves decide.
+int IntervalOf(double x, int bins) {
     int b = std::clamp(int(x * bins), 0, bins - 1);
     if (b > 0 && x < double(b) / bins) --b;
     if (b < bins - 1 && x >= double(b + 1) / bins) ++b;
-    return std::uint32_t(b);
+    return b;
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ HistogramBuilder::HistogramBuilder(std::string surface, BinnedBy binned_by, int 
         histogram_.bins[b].high = double(row + 1) / bins;
     }
 
-    const auto interval = [bins](double x) { return std::clamp(int(x * bins), 0, bins - 1); };
+    const auto interval = [bins](double x) { return IntervalOf(x, bins); };
     std::vector<std::uint32_t> bin_of(alpha.size());
     for (std::size_t i = 0; i < alpha.size(); ++i) {
         bin_of[i] =

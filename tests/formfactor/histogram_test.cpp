@@ -86,6 +86,33 @@ TEST(Histogram, CanBeCutByV) {
     EXPECT_NEAR(builder.Result().bins[1].alpha, (0.125 + 0.5) / 2, kRounding);
 }
 
+// By both: the square (row alpha, column V) of a grid. At two bins a side, by hand: alpha below
+// 1/2 holds (.125, .25) and (.1875, .125); above, V below 1/2 holds (.5, .375) alone.
+TEST(Histogram, CanBeCutByBoth) {
+    HistogramBuilder builder("seven", BinnedBy::kBothVisibilities, 2, kAlpha, kV);
+    builder.AddBounce(kE);
+    const BounceHistogram& h = builder.Result();
+    ASSERT_EQ(h.bins.size(), 4u);
+    const std::int64_t counts[] = {2, 0, 1, 4};
+    for (std::size_t b = 0; b < 4; ++b) {
+        EXPECT_EQ(h.bins[b].count, counts[b]) << "bin " << b;
+        EXPECT_EQ(h.bins[b].low, b < 2 ? 0 : 0.5);
+        EXPECT_EQ(h.bins[b].high, b < 2 ? 0.5 : 1);
+    }
+    EXPECT_EQ(h.bins[2].alpha, 0.5);
+    EXPECT_EQ(h.bins[2].V, 0.375);
+    EXPECT_NEAR(h.bins[3].V, (0.5 + 1 + 0.625 + 0.75) / 4, kRounding);
+    // Single facets are left out: .08 of two, and .1, 0, .5, .6 about .3: .26 / 3 of four.
+    EXPECT_NEAR(FloorOf(h, 0, false), std::sqrt((2 * 0.08 + 4 * 0.26 / 3) / 6), kRounding);
+}
+
+TEST(FloorOf, IsZeroWhereEveryFacetIsAlone) {
+    HistogramBuilder builder("two", kByAlpha, 4, std::vector<double>{0.1, 0.9},
+                             std::vector<double>{0.1, 0.9});
+    builder.AddBounce(std::vector<double>{0.3, 0.7});
+    EXPECT_EQ(FloorOf(builder.Result(), 0, false), 0);
+}
+
 // [low, high): a value on an edge belongs to the bin that it opens, although 0.29 * 100 is
 // 28.999... in a double; 1 belongs to the last.
 TEST(Histogram, PutsAValueOnAnEdgeIntoTheBinItOpens) {
@@ -137,6 +164,9 @@ TEST(Histogram, RefusesWhatItCannotBin) {
     EXPECT_EQ(make(4, none, none), lengths);
     EXPECT_EQ(make(4, one, two), lengths);
     EXPECT_EQ(make(4, one, one), "no error");
+    EXPECT_EQ(
+        MessageOf([&] { HistogramBuilder("x", BinnedBy::kBothVisibilities, 1001, one, one); }),
+        "histogram: bins = 1001, must be in [1, 1000]");
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 // replicates the constants' standard deviation is their standard error and their percentiles an
 // interval. A map drawn m times has its weights multiplied by m, which is the same thing.
 //
-// Source   B. Efron, Bootstrap Methods: Another Look at the Jackknife, 1979; percentile
-// interval. Beware   The maps are the independent units, not the bins: with five maps the
-// interval is rough
-//          and, as a rule, too narrow. Deterministic by seed, on any number of threads.
+// Source   B. Efron, Bootstrap Methods: Another Look at the Jackknife, Annals of Statistics 7,
+//          1979; the interval is the percentile interval.
+// Beware   The maps are the independent units, not the bins: with five maps the interval is
+//          rough and, as a rule, too narrow. Deterministic by seed, on any number of threads.
 #pragma once
 
 #include <cstdint>

@@ -19,10 +19,9 @@
 //          author's own curves.
 // Symbols  V cosine visibility, alpha uniform visibility, rho albedo, g escape probability.
 // Domain   0 <= V <= 1, 0 <= alpha <= 1, 0 <= rho <= 1, any a, b.
-// Beware   Without V the family guesses it by F0(alpha), kept within [alpha^2, alpha (2 -
-// alpha)]
-//          (fit/direct_factor.h) in one of two ways: by -1 <= a0 <= 1 and p0 >= 1, or, with
-//          a0 >= 0 and any p0, by min(F0, alpha (2 - alpha)). The first is smooth; the second
+// Beware   Without V the family guesses it by F0(alpha). What keeps it within alpha^2 and
+//          alpha (2 - alpha) (fit/direct_factor.h) is either -1 <= a0 <= 1 and p0 >= 1, or,
+//          with a0 >= 0 and any p0, min(F0, alpha (2 - alpha)). The first is smooth; the second
 //          has a kink near alpha = 1 and reaches surfaces whose V rises faster than the first
 //          can.
 #pragma once

@@ -7,8 +7,9 @@
 //       covariance  C = s^2 (J^T J)^-1        s^2 = chi2 / dof, or 1 if w_i = 1 / sigma_i^2
 //       condition   sigma_max / sigma_min of J, and of J with its columns scaled to length 1
 //
-// Symbols  p parameters, y_i measured, f_i predicted, w_i weights, dof = samples - columns of
-// J. Beware   rmse is weighted, sqrt(chi2 / Sum w): the plain one if all weights are equal.
+// Symbols  p parameters, y_i measured, f_i predicted, w_i weights, dof samples less columns
+//          of J.
+// Beware   rmse is weighted, sqrt(chi2 / Sum w): the plain one if all weights are equal.
 //          Solved by Ceres (Levenberg-Marquardt, dense QR) on one thread: the same input gives
 //          the same bits.
 #pragma once

@@ -1,7 +1,6 @@
 // The total of the paper: direct light plus a geometric series of bounces, from alpha alone.
 //
-//       E(rho) = F0 + rho / (1 - rho tau) F1                  [Mayaux18 eq. 10] [Mayaux18 eq.
-//       12]
+//       E(rho) = F0 + rho / (1 - rho tau) F1             [Mayaux18 eq. 10] [Mayaux18 eq. 12]
 //
 // with F0, tau, F1 at the same alpha [Mayaux18 eq. 7] [Mayaux18 eq. 9] [Mayaux18 eq. 11].
 //

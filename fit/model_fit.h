@@ -1,9 +1,8 @@
 // The fit of a model to samples: curves and totals go the same way.
 //
 // Source   least squares as in fit/least_squares.h; the paper fits its curves so as well.
-// Beware   A curve reads alpha or V and is fitted to BounceSamples or PairSamples; a total
-// reads
-//          rho too and is fitted to TotalSamples. A sample that lacks an input is an Error.
+// Beware   A curve reads alpha or V and is fitted to BounceSamples or PairSamples; a total also
+//          reads rho and is fitted to TotalSamples. A sample that lacks an input is an Error.
 #pragma once
 
 #include <span>

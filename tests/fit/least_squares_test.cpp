@@ -46,10 +46,10 @@ std::string MessageOf(const LeastSquaresProblem& problem) {
 }
 
 // Expected: the regression of y = (0, 1, 1, 3) on x = (0, 1, 2, 3), by hand: mean x = 3/2, mean
-// y = 5/4, S_xx = 5, S_xy = 9/2, slope = 9/10, intercept = -1/10; residuals (1, -2, 7, -4)...
-// of f - y = (-0.1, -0.2, 0.7, -0.4): chi2 = 0.70, dof = 2, s^2 = 0.35. Var(slope) = s^2 / 5,
-// Var(intercept) = s^2 (1/4 + (9/4) / 5) = 0.7 s^2, correlation = -mean x / sqrt(mean x^2) =
-// -1.5 / sqrt(3.5).
+// y = 5/4, S_xx = 5, S_xy = 9/2, slope = 9/10, intercept = -1/10;
+// f - y = (-0.1, -0.2, 0.7, -0.4), so chi2 = 0.70, dof = 2, s^2 = 0.35; Var(slope) = s^2 / 5,
+// Var(intercept) = s^2 (1/4 + (9/4) / 5) = 0.7 s^2; the correlation is -mean x over the root
+// of mean x^2, -1.5 / sqrt(3.5).
 // Tolerance: linear, so the last step is exact to rounding; 1e-9 is far below any error bar.
 TEST(LeastSquares, RegressionByHand) {
     const Line line{.x = {0, 1, 2, 3}, .y = {0, 1, 1, 3}, .weights = {1, 1, 1, 1}};

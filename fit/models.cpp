@@ -11,7 +11,9 @@
 #include "fit/bounce_family.h"
 #include "fit/cavity.h"
 #include "fit/direct_factor.h"
+#include "fit/escape_bent.h"
 #include "fit/escape_family.h"
+#include "fit/escape_of_both.h"
 #include "fit/first_bounce.h"
 #include "fit/gtao_cubic.h"
 #include "fit/mayaux_total.h"
@@ -101,6 +103,8 @@ std::span<const Model> AllModels() {
         Erased<EscapeOfV>(),
         Erased<EscapeOfAlpha>(),
         Erased<EscapeOfAlphaClamped>(),
+        Erased<EscapeBentOfV>(),
+        Erased<EscapeOfBoth>(),
         Erased<PlainAlphaModel>(),
         Erased<PlainVModel>(),
         Erased<GtaoCubicModel>(),

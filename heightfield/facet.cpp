@@ -19,26 +19,50 @@ Vec3 TexelM(const HeightField& field, int i, int j) {
     return {(i + 0.5) * field.SpacingXM(), (j + 0.5) * field.SpacingYM(), z};
 }
 
+// Offsets from a facet's cell to its corners, counter-clockwise from above.
+std::array<TexelIndex, 3> CornerOffsets(Diagonal diagonal, bool upper) {
+    if (diagonal == Diagonal::kRising) {
+        return upper ? std::array<TexelIndex, 3>{{{0, 0}, {1, 1}, {0, 1}}}
+                     : std::array<TexelIndex, 3>{{{0, 0}, {1, 0}, {1, 1}}};
+    }
+    return upper ? std::array<TexelIndex, 3>{{{1, 0}, {1, 1}, {0, 1}}}
+                 : std::array<TexelIndex, 3>{{{0, 0}, {1, 0}, {0, 1}}};
+}
+
+// The corners of a facet, not folded.
+std::array<TexelIndex, 3> Corners(const HeightField& field, std::int64_t facet) {
+    assert(0 <= facet && facet < field.Facets());
+    const std::int64_t cell = facet / 2;
+    std::array<TexelIndex, 3> corners = CornerOffsets(field.GetDiagonal(), facet % 2 == 1);
+    for (TexelIndex& corner : corners) {
+        corner.i += int(cell % field.CellsX());
+        corner.j += int(cell / field.CellsX());
+    }
+    return corners;
+}
+
 }  // namespace
 
 Facet FacetOf(const HeightField& field, std::int64_t facet) {
-    assert(0 <= facet && facet < field.Facets());
-    const std::int64_t cell = facet / 2;
-    const int i = int(cell % field.CellsX()), j = int(cell / field.CellsX());
-    const bool upper = facet % 2 == 1;
-    const Vec3 z00 = TexelM(field, i, j), z10 = TexelM(field, i + 1, j);
-    const Vec3 z01 = TexelM(field, i, j + 1), z11 = TexelM(field, i + 1, j + 1);
+    const std::array<TexelIndex, 3> corners = Corners(field, facet);
     Facet out;
-    if (field.GetDiagonal() == Diagonal::kRising) {
-        out.corners_m = upper ? std::array{z00, z11, z01} : std::array{z00, z10, z11};
-    } else {
-        out.corners_m = upper ? std::array{z10, z11, z01} : std::array{z00, z10, z01};
+    for (std::size_t k = 0; k < 3; ++k) {
+        out.corners_m[k] = TexelM(field, corners[k].i, corners[k].j);
     }
     const Vec3 cross =
         (out.corners_m[1] - out.corners_m[0]).cross(out.corners_m[2] - out.corners_m[0]);
     out.area_m2 = cross.norm() / 2;
     out.normal = cross / cross.norm();
     return out;
+}
+
+std::array<TexelIndex, 3> FacetTexels(const HeightField& field, std::int64_t facet) {
+    std::array<TexelIndex, 3> corners = Corners(field, facet);
+    for (TexelIndex& corner : corners) {
+        corner.i = Folded(corner.i, field.Width(), field.GetBoundary());
+        corner.j = Folded(corner.j, field.Height(), field.GetBoundary());
+    }
+    return corners;
 }
 
 Mesh ToMesh(const HeightField& field, int tiles) {

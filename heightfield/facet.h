@@ -29,6 +29,16 @@ struct Facet {
 
 Facet FacetOf(const HeightField& field, std::int64_t facet);
 
+/// Column and row of a texel.
+struct TexelIndex {
+    int i, j;
+    friend bool operator==(const TexelIndex&, const TexelIndex&) = default;
+};
+
+/// The texels that a facet's corners stand on, in the order of Facet::corners_m, folded into
+/// the tile.
+std::array<TexelIndex, 3> FacetTexels(const HeightField& field, std::int64_t facet);
+
 /// The same surface as a mesh of quads that Embree's diagonal cuts into the same facets: quad c
 /// holds facets 2c and 2c + 1, unless `tiles` > 0. A wrapped or mirrored field has no border;
 /// the mesh repeats it `tiles` times to each side of the middle tile, which stays where it is.

@@ -1,0 +1,54 @@
+#include "jobs/facet_scores.h"
+
+#include <cmath>
+#include <vector>
+
+#include "core/parallel.h"
+#include "formfactor/histogram.h"
+
+namespace plumb {
+namespace {
+
+double FloorOver(const BounceHistogram& histogram) {
+    double sum = 0;
+    for (std::size_t r = 0; r < histogram.albedos.size(); ++r) {
+        const double floor = FloorOf(histogram, int(r), true);
+        sum += floor * floor;
+    }
+    return std::sqrt(sum / double(histogram.albedos.size()));
+}
+
+}  // namespace
+
+double FacetRms(const Formula& formula, const SurfaceLight& light) {
+    constexpr std::int64_t kChunk = 4096;
+    const std::int64_t n = std::int64_t(light.V.size());
+    struct Sum {
+        double square = 0;
+        std::int64_t count = 0;
+    };
+    std::vector<Sum> sums(std::size_t((n + kChunk - 1) / kChunk));
+    ParallelFor(n, kChunk, [&](std::int64_t begin, std::int64_t end) {
+        Sum& sum = sums[std::size_t(begin / kChunk)];
+        for (std::size_t r = 0; r < light.albedos.size(); ++r) {
+            for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
+                const double f =
+                    formula({UniformVisibility(light.alpha[i]), CosineVisibility(light.V[i]),
+                             Albedo(light.albedos[r])});
+                if (!std::isfinite(f)) continue;
+                const double error = f - double(light.total[r][i]);
+                sum.square += error * error;
+                ++sum.count;
+            }
+        }
+    });
+    Sum all;
+    for (const Sum& sum : sums) all.square += sum.square, all.count += sum.count;
+    return all.count > 0 ? std::sqrt(all.square / double(all.count)) : SurfaceFigures::kUnknown;
+}
+
+Floors FloorsOf(const SurfaceLight& light) {
+    return {FloorOver(light.over_alpha), FloorOver(light.over_V), FloorOver(light.over_both)};
+}
+
+}  // namespace plumb

@@ -1,0 +1,26 @@
+// How wrong a formula is facet by facet, and how wrong any formula of its inputs must be.
+//
+//       rms^2   = mean over facets i and albedos rho of (f(alpha_i, V_i, rho) - E_i(rho))^2
+//       floor^2 = the same for the best f that there can be, the mean of E over all facets of
+//       the
+//                 same alpha (V, both): the spread within the bins of a fine histogram
+//
+// Source   ours.
+// Beware   Facets where a formula is not finite (a pole) are left out of its rms; the table of
+// scores
+//          counts poles.
+#pragma once
+
+#include "fit/model.h"
+#include "jobs/simulate_surface.h"
+#include "reports/fit_report.h"
+
+namespace plumb {
+
+/// rms of the header. Cost: one evaluation a facet and albedo.
+double FacetRms(const Formula& formula, const SurfaceLight& light);
+
+/// The floors of alpha, of V and of both, from the histograms of the simulation.
+Floors FloorsOf(const SurfaceLight& light);
+
+}  // namespace plumb

@@ -1,0 +1,18 @@
+// Height fields and light as pictures for eyes.
+#pragma once
+
+#include <span>
+
+#include "core/image.h"
+#include "heightfield/height_field.h"
+
+namespace plumb {
+
+/// Relief lit from the upper left at 45 degrees, one pixel a cell, row 0 at the top: the mean
+/// cosine of the cell's two facets with the light, linear.
+Image<float> ShadedRelief(const HeightField& field);
+
+/// One value a facet as one pixel a cell, the mean of its two.
+Image<float> CellImage(const HeightField& field, std::span<const double> per_facet);
+
+}  // namespace plumb

@@ -1,0 +1,116 @@
+#include "jobs/write_results.h"
+
+#include <cctype>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
+
+#include "io/data_uri.h"
+#include "io/histogram_io.h"
+#include "io/image_io.h"
+#include "io/json_file.h"
+#include "io/whole_file.h"
+#include "jobs/fit_constants.h"
+#include "jobs/pictures.h"
+#include "reports/shader_header.h"
+
+namespace plumb {
+namespace {
+
+template <class Write>
+void WriteText(const std::filesystem::path& path, Write&& write) {
+    std::ostringstream text;
+    write(text);
+    WriteWholeFile(path, text.str());
+}
+
+std::string TotalName(double rho) {
+    std::ostringstream name;
+    name << "E_rho" << rho;
+    return name.str();
+}
+
+}  // namespace
+
+std::string FileNamePart(const std::string& name) {
+    std::string part;
+    for (const char c : name) {
+        part += std::isalnum(static_cast<unsigned char>(c))
+                    ? char(std::tolower(static_cast<unsigned char>(c)))
+                    : '_';
+    }
+    return part;
+}
+
+void WritePictures(const std::filesystem::path& folder, const HeightField& field,
+                   std::span<const double> V, SurfaceReport& report) {
+    const std::string part = FileNamePart(report.name);
+    const std::filesystem::path relief = folder / (part + "_relief.png");
+    const std::filesystem::path visibility = folder / (part + "_v.png");
+    WritePreview(relief, ShadedRelief(field));
+    WritePreview(visibility, CellImage(field, V));
+    report.heights_picture = PngDataUri(relief);
+    report.visibility_picture = PngDataUri(visibility);
+}
+
+std::filesystem::path WriteFitResults(const std::filesystem::path& folder,
+                                      const FitReport& report) {
+    const std::filesystem::path page = folder / "report.html";
+    WriteWholeFile(page, ToHtml(report));
+    WriteJsonFile(folder / "report.json", ToJson(report));
+    WriteText(folder / "scores.csv", [&](std::ostream& out) { WriteScoresCsv(out, report); });
+    WriteText(folder / "constants.csv",
+              [&](std::ostream& out) { WriteConstantsCsv(out, report); });
+    const ShaderHeader header = ShaderHeaderOf(report);
+    for (const ShaderLanguage language :
+         {ShaderLanguage::kGlsl, ShaderLanguage::kHlsl, ShaderLanguage::kCpp}) {
+        WriteWholeFile(folder / ("plumb_light." + Extension(language)),
+                       WriteShaderHeader(header, language));
+    }
+    return page;
+}
+
+void WriteCurveResults(const std::filesystem::path& folder, const FitReport& report) {
+    WriteJsonFile(folder / "curves.json", ToJson(report));
+    WriteText(folder / "constants.csv",
+              [&](std::ostream& out) { WriteConstantsCsv(out, report); });
+}
+
+std::filesystem::path WriteSimulateResults(const std::filesystem::path& folder,
+                                           const SimulateReport& report) {
+    const std::filesystem::path page = folder / "report.html";
+    WriteWholeFile(page, ToHtml(report));
+    WriteJsonFile(folder / "report.json", ToJson(report));
+    const SurfaceReport& surface = report.surface;
+    for (const auto& [name, histogram] : {std::pair{"histogram_alpha", &surface.over_alpha},
+                                          std::pair{"histogram_v", &surface.over_V}}) {
+        WriteHistogramJson(folder / (std::string(name) + ".json"), *histogram);
+        WriteHistogramCsv(folder / (std::string(name) + ".csv"), *histogram);
+    }
+    return page;
+}
+
+void WriteLightMaps(const std::filesystem::path& folder, const Surface& surface,
+                    const SurfaceLight& light, const std::vector<std::vector<float>>& bounces) {
+    const HeightField& field = surface.field;
+    std::vector<NamedChannel> channels;
+    Image<float> heights(field.CellsX(), field.CellsY());
+    for (int j = 0; j < field.CellsY(); ++j) {
+        for (int i = 0; i < field.CellsX(); ++i) heights(i, j) = float(field.At(i, j));
+    }
+    channels.push_back({"height_m", std::move(heights)});
+    channels.push_back({"alpha", CellImage(field, light.alpha)});
+    channels.push_back({"V", CellImage(field, light.V)});
+    const auto add = [&](const std::string& name, const std::vector<float>& values) {
+        const std::vector<double> wide(values.begin(), values.end());
+        channels.push_back({name, CellImage(field, wide)});
+    };
+    for (std::size_t k = 0; k < bounces.size(); ++k) add("E_" + std::to_string(k), bounces[k]);
+    for (std::size_t r = 0; r < light.total.size(); ++r) {
+        add(TotalName(light.albedos[r]), light.total[r]);
+    }
+    WriteExr(folder / "light.exr", channels,
+             {{"map", surface.source.name}, {"sha256", surface.source.sha256}});
+}
+
+}  // namespace plumb

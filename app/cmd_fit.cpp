@@ -1,0 +1,122 @@
+// plumb fit: height maps in; refitted constants, shader headers and a report out.
+//
+// Options -> struct -> call -> print.
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/command.h"
+#include "app/simulate_options.h"
+#include "jobs/fit_constants.h"
+#include "jobs/fit_measured.h"
+#include "jobs/write_results.h"
+
+namespace plumb::app {
+namespace {
+
+struct Options {
+    std::vector<std::string> maps;
+    std::string histogram, abscissa = "right";
+    SimulateOptions simulate;
+    FitSettings fit;
+    std::string weighting = "population";
+    Common common;
+};
+
+void FitMeasured(const Options& o) {
+    const auto monitor = MakeMonitor(o.common);
+    const MeasuredOptions options{.abscissa = o.abscissa == "left"     ? BinAbscissa::kLeft
+                                              : o.abscissa == "centre" ? BinAbscissa::kCentre
+                                                                       : BinAbscissa::kRight};
+    const FitReport report =
+        FitMeasuredCurves(o.histogram, options, PLUMB_VERSION, CommandLine());
+    WriteCurveResults(o.common.out, report);
+    if (o.common.json) {
+        std::cout << ToJson(report).dump(2) << "\n";
+    } else if (!o.common.quiet) {
+        WriteTable(std::cout, report);
+    }
+}
+
+void Run(const CLI::App& command, const Options& o) {
+    if (!o.histogram.empty()) return FitMeasured(o);
+    const auto monitor = MakeMonitor(o.common);
+    FitSettings settings = o.fit;
+    settings.simulate = SettingsOf(o.simulate, o.common);
+    settings.weighting = o.weighting == "population" ? Weighting::kPopulation
+                         : o.weighting == "variance" ? Weighting::kPopulationOverVariance
+                                                     : Weighting::kUnweighted;
+    const SurfaceOptions surface_options = SurfaceOptionsOf(command, o.simulate);
+    std::vector<Surface> surfaces;
+    for (const std::string& map : o.maps) {
+        surfaces.push_back(LoadSurface(map, surface_options));
+    }
+    FitConstantsResult result =
+        FitConstants(surfaces, settings, PLUMB_VERSION, CommandLine(), NowS, *monitor);
+    for (std::size_t m = 0; m < surfaces.size(); ++m) {
+        WritePictures(o.common.out / "maps", surfaces[m].field, result.V[m],
+                      result.report.maps[m]);
+    }
+    const std::filesystem::path page = WriteFitResults(o.common.out, result.report);
+    if (o.common.json) {
+        std::cout << ToJson(result.report).dump(2) << "\n";
+    } else if (!o.common.quiet) {
+        WriteTable(std::cout, result.report);
+        std::cout << "\nReport: " << page.string() << "\n";
+    }
+}
+
+}  // namespace
+
+void AddFit(CLI::App& program) {
+    auto o = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand(
+        "fit",
+        "Refit the constants of ambient occlusion with interreflection to height maps.\n"
+        "Writes report.html, report.json, scores.csv, constants.csv and shader headers\n"
+        "(plumb_light.glsl, .hlsl, .h) to the folder --out.");
+    command->add_option("maps", o->maps,
+                        "Height maps: images (docs/height_maps.md) or make:KIND[:SIZE[:SEED]]");
+    command
+        ->add_option(
+            "--histogram", o->histogram,
+            "Fit curves measured elsewhere instead: a CSV with a column bin and columns "
+            "E0, E1, ... as irradiance with open ground = pi")
+        ->check(CLI::ExistingFile);
+    command
+        ->add_option("--abscissa", o->abscissa,
+                     "With --histogram: the point of a bin that stands for it, left, centre or "
+                     "right, where the table has no column alpha")
+        ->check(CLI::IsMember({"left", "centre", "right"}))
+        ->capture_default_str();
+    AddSimulateOptions(*command, o->simulate);
+    command
+        ->add_option(
+            "--weighting", o->weighting,
+            "Of a bin in a fit: population, variance (population over variance) or none")
+        ->check(CLI::IsMember({"population", "variance", "none"}))
+        ->capture_default_str();
+    command->add_option("--starts", o->fit.starts, "Starts of every fit")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command
+        ->add_option("--bootstrap", o->fit.bootstrap_replicates,
+                     "Replicates of the bootstrap over maps; 0 = none")
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    command->add_flag("!--no-studies", o->fit.study_convergence,
+                      "Leave out the studies of convergence and amplitude");
+    AddCommon(*command, o->common);
+    command->callback([o, command] {
+        if (o->maps.empty() == o->histogram.empty()) {
+            throw CLI::ValidationError("plumb fit",
+                                       "give height maps, or --histogram FILE, and not both");
+        }
+        o->fit.study_amplitude = o->fit.study_convergence;
+        Run(*command, *o);
+    });
+}
+
+}  // namespace plumb::app

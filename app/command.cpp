@@ -1,0 +1,128 @@
+#include "app/command.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <mutex>
+#include <vector>
+
+#include "core/parallel.h"
+
+namespace plumb::app {
+namespace {
+
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
+
+// The first Ctrl-C asks the run to end and tidy up; a second one ends it at once.
+void OnInterrupt(int signal) {
+    interrupted = true;
+    std::signal(signal, SIG_DFL);
+}
+
+class TerminalMonitor : public Monitor {
+  public:
+    explicit TerminalMonitor(bool draw) : draw_(draw) {
+        std::signal(SIGINT, OnInterrupt);
+        std::signal(SIGTERM, OnInterrupt);
+    }
+    ~TerminalMonitor() override { Clear(); }
+
+    void Progress(std::string_view stage, double done) override {
+        if (!draw_) return;
+        const std::lock_guard lock(mutex_);
+        const double now_s = NowS();
+        if (stage != stage_ || done < done_) {
+            stage_ = stage;
+            begin_s_ = now_s;
+            drawn_s_ = 0;
+        }
+        done_ = done;
+        if (now_s - drawn_s_ < 0.1) return;
+        drawn_s_ = now_s;
+        const double left_s = done > 0 ? (now_s - begin_s_) * (1 - done) / done : 0;
+        std::fprintf(stderr, "\r\033[K%s %3.0f %%", stage_.c_str(), 100 * done);
+        if (now_s - begin_s_ > 2 && done > 0) std::fprintf(stderr, ", %.0f s left", left_s);
+        std::fflush(stderr);
+        shown_ = true;
+    }
+
+    bool Cancelled() const override { return interrupted; }
+
+  private:
+    void Clear() const {
+        if (shown_) std::fprintf(stderr, "\r\033[K");
+    }
+
+    bool draw_, shown_ = false;
+    std::mutex mutex_;
+    std::string stage_;
+    double begin_s_ = 0, drawn_s_ = 0, done_ = 0;
+};
+
+std::string& TheCommandLine() {
+    static std::string text;
+    return text;
+}
+
+}  // namespace
+
+void AddCommon(CLI::App& command, Common& common) {
+    command.add_option("-o,--out", common.out, "Folder for all results; made if it is missing")
+        ->capture_default_str();
+    command
+        .add_option("--threads", common.threads,
+                    "Threads, 0 = all cores; no result depends on it")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    command.add_option("--seed", common.seed, "Seed of all random numbers")
+        ->capture_default_str();
+    command.add_flag("-q,--quiet", common.quiet, "No progress, no table");
+    command.add_flag("--json", common.json, "The report as JSON on standard output, no table");
+}
+
+std::unique_ptr<Monitor> MakeMonitor(const Common& common) {
+    SetThreadCount(common.threads);
+    return std::make_unique<TerminalMonitor>(!common.quiet && isatty(STDERR_FILENO));
+}
+
+double NowS() {
+    using namespace std::chrono;
+    return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+std::string CommandLine() {
+    return TheCommandLine();
+}
+
+void RememberCommandLine(int argc, char** argv) {
+    const std::vector<std::string> with_value = {"-o", "--out", "--threads"};
+    const std::vector<std::string> flags = {"-q", "--quiet", "--json"};
+    const auto is = [](const std::string& word, const std::vector<std::string>& list) {
+        for (const std::string& option : list) {
+            if (word == option) return true;
+        }
+        return false;
+    };
+    std::string& text = TheCommandLine();
+    text = "plumb";
+    for (int k = 1; k < argc; ++k) {
+        std::string word = argv[k];
+        if (is(word, flags)) continue;
+        if (is(word, with_value)) {
+            ++k;
+            continue;
+        }
+        if (word.starts_with("--out=") || word.starts_with("--threads=")) continue;
+        // A path is named by its last part: no folder of the machine gets into a report.
+        if (word.find('/') != std::string::npos && word[0] != '-') {
+            word = std::filesystem::path(word).filename().string();
+        }
+        text += " " + word;
+    }
+}
+
+}  // namespace plumb::app

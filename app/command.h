@@ -1,0 +1,40 @@
+// What every subcommand needs: its registration, the common options and the way to the user.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/monitor.h"
+#include "jobs/simulate_surface.h"
+
+namespace plumb::app {
+
+/// Options that every subcommand has.
+struct Common {
+    std::filesystem::path out = "out";
+    int threads = 0;
+    std::uint64_t seed = 1;
+    bool quiet = false;
+    bool json = false;
+};
+
+/// Declares --out, --threads, --seed, --quiet and --json.
+void AddCommon(CLI::App& command, Common& common);
+
+/// A progress line with the time that is left, on a terminal only; learns of Ctrl-C.
+std::unique_ptr<Monitor> MakeMonitor(const Common& common);
+
+/// Seconds of the steady clock.
+double NowS();
+
+/// The command line as the user gave it, for provenance: "plumb fit a.png --slices 64". --out,
+/// --threads, --quiet and --json are left out: they change no number.
+std::string CommandLine();
+void RememberCommandLine(int argc, char** argv);
+
+void AddFit(CLI::App& program);
+void AddSimulate(CLI::App& program);
+
+}  // namespace plumb::app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/conventions.h"
 #include "core/error.h"
@@ -69,7 +70,13 @@ void AppendDrawnTogether(const std::vector<Stretch>& stretches, int most, double
 class SliceRow {
   public:
     SliceRow(const HeightField& field, const WalkGrid& grid, const SliceOptions& options)
-        : field_(field), grid_(grid), options_(options), far_m_(FarM(field, options)) {}
+        : field_(field),
+          grid_(grid),
+          options_(options),
+          far_m_(FarM(field, options)),
+          z_rounding_m_(kRoundings *
+                        std::max(std::abs(field.LowestM()), std::abs(field.HighestM()))),
+          xy_rounding_m_(kRoundings * (field.WidthM() + field.HeightM())) {}
 
     FacetResult Make(std::int64_t facet, LinkBlock& block) {
         const Facet f = FacetOf(field_, facet);
@@ -102,6 +109,9 @@ class SliceRow {
     }
 
   private:
+    // A crossing knows heights and positions to a few roundings of the largest of them.
+    static constexpr double kRoundings = 16 * std::numeric_limits<double>::epsilon();
+
     struct Slice {
         double cosine_all, solid_all, solid_open, cut_short;
     };
@@ -127,22 +137,27 @@ class SliceRow {
                                     x.z(),
                                     cos_phi,
                                     sin_phi};
-        const WalkGrid::End end =
-            grid_.Walk(start, horizon, far_m_,
-                       [&](std::int64_t crossed, double t_m, double rise_m, double& slope) {
-                           if (rise_m <= slope * t_m) return true;
-                           slope = horizon = rise_m / t_m;
-                           const double next = CosineBelow(Zenith(slope), c, n_z);
-                           const double weight = below - next;
-                           below = next;
-                           if (weight > 0)
-                               stretches_.push_back({std::uint32_t(crossed), weight});
-                           // Nothing ahead rises above headroom / t: is the rest thinner than
-                           // the tolerance?
-                           return headroom_m > (slope + tolerance * (1 + slope * slope)) * t_m;
-                       });
+        grid_.Walk(start, horizon, far_m_,
+                   [&](std::int64_t crossed, double t_m, double rise_m, double& slope) {
+                       // Level with the horizon up to rounding: facets of one plane do not
+                       // see each other.
+                       const double rounding_m =
+                           z_rounding_m_ + std::abs(slope) * xy_rounding_m_;
+                       if (rise_m <= slope * t_m + rounding_m) return true;
+                       slope = horizon = rise_m / t_m;
+                       const double next = CosineBelow(Zenith(slope), c, n_z);
+                       const double weight = below - next;
+                       below = next;
+                       if (weight > 0) stretches_.push_back({std::uint32_t(crossed), weight});
+                       // Nothing ahead rises above headroom / t: is the rest thinner than
+                       // the tolerance? A slope's angle changes by 1 / (1 + m^2), which on
+                       // the way up from below the horizontal is 1 at most.
+                       const double above = std::max(slope, 0.0);
+                       return headroom_m > (slope + tolerance * (1 + above * above)) * t_m;
+                   });
         Zenith last(horizon);
-        if (end != WalkGrid::End::kBorder && horizon < 0 && stretches_.size() > begin) {
+        if (field_.GetBoundary() != Boundary::kOpen && horizon < 0 &&
+            stretches_.size() > begin) {
             // An endless surface hides all that lies below the horizontal.
             const Zenith level(0.0);
             const double next = CosineBelow(level, c, n_z);
@@ -160,7 +175,7 @@ class SliceRow {
     const HeightField& field_;
     const WalkGrid& grid_;
     const SliceOptions& options_;
-    double far_m_;
+    double far_m_, z_rounding_m_, xy_rounding_m_;
     LinkRow row_;
     std::vector<Stretch> stretches_, one_;  // Of all slices of a facet; of one of them.
     std::vector<std::size_t> slices_;       // Where each slice's stretches end.

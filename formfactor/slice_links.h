@@ -15,14 +15,16 @@
 //       F_ij = Sum_k w_kj / Sum_k G(th_k,max)       th_max: where the facet's own plane begins
 //
 // Source   ours. The integrand is that of [Mayaux18 eq. 4] and E_0 of [Mayaux18 eq. 5].
-// Symbols  n unit normal of the facet, th zenith angle from the vertical, phi azimuth
-// (radians). Beware   Dividing by the sum of the slices' own totals, instead of by pi N / (2
-// pi), closes the row
-//          at any N; the two differ by the quadrature error of a smooth or once-kinked function
-//          of phi, O(1/N^2), which the rows would otherwise carry as a surplus. A line of sight
-//          is followed until what the surface can still hide ahead of it is thinner than
-//          `horizon_tolerance_rad`. What is left then is sky above the horizontal; below it,
-//          the facet last seen. Links::mean_cut_short bounds the share.
+// Symbols  n unit normal of the facet, th zenith angle from the vertical, phi azimuth, both in
+//          radians.
+// Beware   Dividing by the sum of the slices' own totals, instead of by pi N / (2 pi), closes
+//          the row at any N; the two differ by the quadrature error of a smooth or once-kinked
+//          function of phi, O(1/N^2), which the rows would otherwise carry as a surplus.
+//          A line of sight is followed until what the surface can still hide ahead of it is
+//          thinner than `horizon_tolerance_rad`. What is left then is sky above the horizontal,
+//          so alpha may be too open by that tolerance, V by twice that; below it, where the
+//          field is endless, it is given to the facet last seen, and Links::mean_cut_short
+//          states the share.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // How a ray starts on a triangle without meeting that triangle again.
 //
-//       origin  = float( P + h n ),   near = h,     h = 2^-23 (32 |P| + 8 max_k |p_k - P|)
+//       origin  = float( P + h n ),   near = h,     h = 2^-23 (32 |P| + 4 max_k |p_k - P|)
 //
 // with |.| the largest of the three coordinates. Rounding the origin to float moves it by at
 // most 2^-24 |P| along each axis. A robust ray-triangle test takes the corners relative to the
@@ -12,8 +12,8 @@
 //          offset and near). The second is ours: at the middle of a large triangle about the
 //          origin of the coordinates the first vanishes and the error does not.
 // Symbols  P the point (m), p_k the triangle's corners, n the unit normal on the side to leave.
-// Beware   What is nearer than h to the surface is not seen: 4e-6 of the larger of the
-//          distance from the origin of the coordinates and a quarter of the triangle.
+// Beware   What is nearer than h to the surface is not seen: 4e-6 of the distance from the origin
+//          of the coordinates and 5e-7 of the extent of the triangle.
 #pragma once
 
 #include "truth/ray_caster.h"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <memory>
 #include <span>
+#include <string>
 
-#include "core/error.h"
+#include "io/open_tiff.h"
 
 namespace plumb {
 namespace {
@@ -17,25 +17,6 @@ constexpr std::uint32_t kModelPixelScale = 33550, kModelTransformation = 34264,
                         kGeoKeyDirectory = 34735, kGdalNoData = 42113;
 constexpr std::uint16_t kModelTypeKey = 1024, kLinearUnitsKey = 3076;
 constexpr std::uint16_t kGeographic = 2, kMetre = 9001, kFoot = 9002, kUsSurveyFoot = 9003;
-
-int SayNothing(TIFF*, void*, const char*, const char*, va_list) {
-    return 1;
-}
-
-struct Closer {
-    void operator()(TIFF* file) const { TIFFClose(file); }
-};
-
-std::unique_ptr<TIFF, Closer> Open(const std::filesystem::path& path) {
-    TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
-    // Unknown tags are what we came for; nothing is to be printed about them.
-    TIFFOpenOptionsSetErrorHandlerExtR(options, SayNothing, nullptr);
-    TIFFOpenOptionsSetWarningHandlerExtR(options, SayNothing, nullptr);
-    std::unique_ptr<TIFF, Closer> file(TIFFOpenExt(path.c_str(), "r", options));
-    TIFFOpenOptionsFree(options);
-    if (!file) throw Error(path.string() + ": is no TIFF that can be read");
-    return file;
-}
 
 /// A tag that libtiff does not know: it hands out the count and the values.
 template <class T>
@@ -97,7 +78,7 @@ std::optional<double> NoData(TIFF* file) {
 }  // namespace
 
 GeoTags ReadGeoTags(const std::filesystem::path& path) {
-    const auto file = Open(path);
+    const auto file = OpenTiff(path);
     GeoTags tags;
     tags.spacing_m = Scale(file.get());
     tags.no_data = NoData(file.get());

@@ -31,10 +31,11 @@ inline constexpr double kDefaultWidthM = 1;
 /// What the command line says. An amplitude replaces all of the side file's height fields but
 /// low_m; at most one of the two.
 struct HeightMapOverrides {
-    std::optional<Vec2> spacing_m;             ///< Along x and y. (0, ...)
-    std::optional<double> amplitude_m;         ///< Metres between the values 0 and 1. [0, ...)
-    std::optional<double> amplitude_of_width;  ///< The same as a share of the width. [0, ...)
-    std::optional<std::string> boundary;       ///< "wrap", "mirror" or "open".
+    std::optional<Vec2> spacing_m = {};      ///< Along x and y. (0, ...)
+    std::optional<double> amplitude_m = {};  ///< Metres between the values 0 and 1. [0, ...)
+    std::optional<double> amplitude_of_width =
+        {};                                    ///< The same as a share of the width. [0, ...)
+    std::optional<std::string> boundary = {};  ///< "wrap", "mirror" or "open".
 };
 
 struct HeightMapFile {

@@ -85,7 +85,7 @@ void CheckBins(const BounceHistogram& histogram, const std::string& file) {
         check_size(b, "total", bin.total.size(), histogram.albedos.size());
         if (b > 0 && bin.low < histogram.bins[b - 1].high) {
             throw Error(MustBe(file + ": " + At("bins", b) + ".low", bin.low,
-                               ">= the bin's before it .high"));
+                               ">= the high of the bin before it"));
         }
     }
     if (histogram.Bounces() < 0) throw Error(file + ": bins[0].bounce has no E0");

@@ -38,7 +38,7 @@ std::string Join(const std::vector<std::string>& words) {
 }
 
 double CheckedNumber(const Json& value, const std::string& name, const NumberRule& rule) {
-    if (!value.is_number()) Refuse(name, value, std::string("a number ") + rule.text);
+    if (!value.is_number()) Refuse(name, value, std::string("a number, ") + rule.text);
     const double number = value.get<double>();
     if (!std::isfinite(number) || !rule.holds(number)) Refuse(name, value, rule.text);
     return number;

@@ -21,8 +21,8 @@ namespace plumb {
 
 /// Where in the pixels the heights are.
 struct HeightEncoding {
-    std::string channel;  ///< By name; "" = the only one, or R where R = G = B.
-    bool rgb24 = false;   ///< One number 65536 R + 256 G + B of an 8-bit image.
+    std::string channel = {};  ///< By name; "" = the only one, or R where R = G = B.
+    bool rgb24 = false;        ///< One number 65536 R + 256 G + B of an 8-bit image.
 };
 
 struct RawHeights {

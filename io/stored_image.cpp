@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "io/image_format.h"
 #include "io/pfm.h"
+#include "io/tiff_image.h"
 #include "io/whole_file.h"
 
 namespace plumb {
@@ -21,7 +22,7 @@ template <class T>
 Image<double> ReadChannel(OIIO::ImageInput& input, int channel, TypeDesc type) {
     const OIIO::ImageSpec& spec = input.spec();
     std::vector<T> numbers(std::size_t(spec.width) * std::size_t(spec.height));
-    // A failure shows in the error text: the TIFF reader returns true for a truncated strip.
+    // A failure shows in the error text; not every reader returns false.
     input.read_image(0, 0, channel, channel + 1, type, numbers.data());
     Image<double> image(spec.width, spec.height);
     std::copy(numbers.begin(), numbers.end(), image.Pixels().begin());
@@ -32,18 +33,10 @@ Image<double> ReadChannel(OIIO::ImageInput& input, int channel, TypeDesc type) {
     switch (type.basetype) {
         case TypeDesc::UINT8:
             return ReadChannel<std::uint8_t>(input, channel, type);
-        case TypeDesc::INT8:
-            return ReadChannel<std::int8_t>(input, channel, type);
         case TypeDesc::UINT16:
             return ReadChannel<std::uint16_t>(input, channel, type);
-        case TypeDesc::INT16:
-            return ReadChannel<std::int16_t>(input, channel, type);
         case TypeDesc::UINT32:
             return ReadChannel<std::uint32_t>(input, channel, type);
-        case TypeDesc::INT32:
-            return ReadChannel<std::int32_t>(input, channel, type);
-        case TypeDesc::DOUBLE:
-            return ReadChannel<double>(input, channel, type);
         default:
             return ReadChannel<float>(input, channel, TypeDesc::FLOAT);
     }
@@ -79,9 +72,7 @@ StoredImage Read(const std::filesystem::path& path, std::int64_t max_numbers) {
     image.is_float = IsFloat(spec.format);
     image.is_signed = spec.format.is_signed();
     image.bits = 8 * int(spec.format.basesize());
-    // Two's complement: all bits but the sign.
-    image.full_scale =
-        image.is_float ? 1 : double((std::uint64_t{1} << (image.bits - image.is_signed)) - 1);
+    image.full_scale = image.is_float ? 1 : GreatestInteger(image.bits, image.is_signed);
     for (int c = 0; c < spec.nchannels; ++c) {
         image.channels.push_back({spec.channel_name(c), ReadChannel(*input, c, spec.format)});
         const std::string error = input->geterror();
@@ -101,16 +92,10 @@ StoredImage Read(const std::filesystem::path& path, std::int64_t max_numbers) {
 
 StoredImage ReadStoredImage(const std::filesystem::path& path, std::int64_t max_numbers) {
     const std::string bytes = ReadWholeFile(path);
-    switch (CheckImageFormat(path, bytes)) {
-        case ImageFormat::kPfm:
-            return ParsePfm(bytes, path.string(), max_numbers);
-        case ImageFormat::kPng:
-            CheckPngIsWhole(path, bytes);
-            break;
-        case ImageFormat::kTiff:
-        case ImageFormat::kExr:
-            break;
-    }
+    const ImageFormat format = CheckImageFormat(path, bytes);
+    if (format == ImageFormat::kPfm) return ParsePfm(bytes, path.string(), max_numbers);
+    if (format == ImageFormat::kTiff) return ReadTiffImage(path, max_numbers);
+    if (format == ImageFormat::kPng) CheckPngIsWhole(path, bytes);
     return Read(path, max_numbers);
 }
 

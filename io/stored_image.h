@@ -37,6 +37,11 @@ struct StoredImage {
     int Height() const { return channels.front().stored.Height(); }
 };
 
+/// 255, 65535, 32767 ...: the greatest integer of so many bits, in two's complement if signed.
+constexpr double GreatestInteger(int bits, bool is_signed) {
+    return double((std::uint64_t{1} << (bits - (is_signed ? 1 : 0))) - 1);
+}
+
 /// Throws Error naming the file and what is wrong: missing, empty, truncated, damaged, of
 /// another format than its ending says, or larger than `max_numbers` (before memory is taken).
 StoredImage ReadStoredImage(const std::filesystem::path& path,

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "fit/cavity.h"
+#include "fit/escape_bent.h"
+#include "fit/escape_of_both.h"
 #include "fit/mayaux_total.h"
 
 namespace plumb {
@@ -114,6 +116,59 @@ TEST(EscapeOfAlpha, BoundsOfTheFitKeepF0WithinTheBoundsOfV) {
     EXPECT_GE(a0.low, -1);
     EXPECT_LE(a0.high, 1);
     EXPECT_GE(p0.low, 1);
+}
+
+TEST(EscapeBentOfV, KeepsItsLawsWithinItsDomain) {
+    for (double b : kAnyExponent)
+        for (double c : {0.0, 0.3, 1.0})
+            for (double V : Shares()) {
+                const std::array p{b, c};
+                ExpectLaws(
+                    [&](double rho) {
+                        return EscapeBentOfV::Evaluate(p.data(), CosineVisibility(V),
+                                                       Albedo(rho));
+                    },
+                    V, testing::PrintToString(p) + " V " + testing::PrintToString(V));
+            }
+}
+
+// V runs over all that an alpha allows: the least, the greatest, and their middle.
+TEST(EscapeOfBoth, KeepsItsLawsWithinItsDomain) {
+    for (double b : kAnyExponent)
+        for (double c : kAnyExponent)
+            for (double alpha : Shares())
+                for (double share : {0.0, 0.5, 1.0}) {
+                    const std::array p{b, c};
+                    const UniformVisibility at(alpha);
+                    const double V = std::lerp(LeastCosineVisibility(at),
+                                               GreatestCosineVisibility(at), share);
+                    ExpectLaws(
+                        [&](double rho) {
+                            return EscapeOfBoth::Evaluate(p.data(), at, CosineVisibility(V),
+                                                          Albedo(rho));
+                        },
+                        V,
+                        testing::PrintToString(p) + " alpha " + testing::PrintToString(alpha));
+                }
+}
+
+// Expected: b = 1, c = 0 makes g = V, the cavity; b = 0, c = 1 makes g = alpha, which shows
+// that the second input is read.
+TEST(EscapeOfBoth, CornersByHand) {
+    const UniformVisibility alpha(0.5);
+    const CosineVisibility V(0.7);
+    const Albedo rho(0.8);
+    EXPECT_NEAR(EscapeOfBoth::Evaluate(std::array{1.0, 0.0}.data(), alpha, V, rho),
+                CavityTotal(V, rho), kRounding);
+    EXPECT_NEAR(EscapeOfBoth::Evaluate(std::array{0.0, 1.0}.data(), alpha, V, rho),
+                EscapeTotal(0.7, 0.5, rho), kRounding);
+}
+
+// Expected: g = V^2 (1 - (1 - V) / 2) = 1/4 * 3/4 at V = 1/2.
+TEST(EscapeBentOfV, ByHand) {
+    EXPECT_NEAR(EscapeBentOfV::Evaluate(std::array{2.0, 0.5}.data(), CosineVisibility(0.5),
+                                        Albedo(0.8)),
+                EscapeTotal(0.5, 3.0 / 16, Albedo(0.8)), kRounding);
 }
 
 // Expected: a = b = 1, g = V, is the cavity: V / (1 - rho (1 - V)), exact in a spherical bowl.

@@ -1,4 +1,4 @@
-// What a light simulation of one height map says: a page, a JSON document, a table of curves.
+// What a light simulation of one height map says: a page, a JSON document, a table.
 //
 // Pure, as reports/fit_report.h: the same input gives the same bytes if `timings` is empty.
 //
@@ -10,7 +10,6 @@
 #include <ostream>
 #include <string>
 
-#include "core/bounce_histogram.h"
 #include "reports/amplitude_sweep.h"
 #include "reports/provenance.h"
 #include "reports/surface_report.h"
@@ -30,10 +29,6 @@ nlohmann::ordered_json ToJson(const SimulateReport& report);
 
 /// One page that needs nothing else: it opens offline.
 std::string ToHtml(const SimulateReport& report);
-
-/// One line a bin: low, high, count, alpha, V, then mean, sd, p05, p50, p95 of every E_k and
-/// E(rho). Means of empty bins are empty fields.
-void WriteHistogramCsv(std::ostream& out, const BounceHistogram& histogram);
 
 /// The figures of the surface, for a terminal.
 void WriteTable(std::ostream& out, const SimulateReport& report);

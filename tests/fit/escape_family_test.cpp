@@ -49,6 +49,15 @@ void ExpectLaws(const std::function<double(double)>& E, double V, const std::str
 const std::vector<double> kAnyFactor{-5, 0, 1e-12, 0.05, 0.5, 1, 4, 1e6};
 const std::vector<double> kAnyExponent{0, 0.01, 0.4, 1, 6, 100};
 
+// Expected: a V^b = 4 * 0.9 and -5 * 0.9 are no probabilities; 0.5 * 0.9^2 is. (The laws of the
+// total hold for any g >= 0, so they cannot see a missing clamp.)
+TEST(EscapeProbability, IsAProbability) {
+    EXPECT_EQ(Evaluate(EscapeProbability<>{.a = 4, .b = 1}, 0.9), 1);
+    EXPECT_EQ(Evaluate(EscapeProbability<>{.a = -5, .b = 1}, 0.9), 0);
+    EXPECT_EQ(Evaluate(EscapeProbability<>{.a = 0.5, .b = 0}, 0.0), 0);
+    EXPECT_NEAR(Evaluate(EscapeProbability<>{.a = 0.5, .b = 2}, 0.9), 0.405, kRounding);
+}
+
 TEST(EscapeOfV, KeepsItsLawsForAnyConstants) {
     for (double a : kAnyFactor)
         for (double b : kAnyExponent)

@@ -271,8 +271,7 @@ TEST(LeaveSurface, ATiltedPlaneNeverShadesItself) {
                     const Vec2 b =
                         p % 2 == 0 ? SampleTriangle(u) : Vec2(Vec2(0.5, 0.5) - 1e-3 * u);
                     const Basis local(triangle.Normal());
-                    const Ray start =
-                        LeaveSurface(triangle, triangle.PointM(b.x(), b.y()), local.n);
+                    const Ray start = LeaveSurface(triangle, b.x(), b.y(), local.n);
                     std::vector<Ray> rays(64, start);
                     for (int k = 0; k < 64; ++k) {
                         // Half of them cosine-distributed, half grazing by down to 1e-6.

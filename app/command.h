@@ -36,5 +36,6 @@ void RememberCommandLine(int argc, char** argv);
 
 void AddFit(CLI::App& program);
 void AddSimulate(CLI::App& program);
+void AddBench(CLI::App& program);
 
 }  // namespace plumb::app

@@ -75,7 +75,8 @@ Json ReadJsonFile(const std::filesystem::path& path) {
 }
 
 void WriteJsonFile(const std::filesystem::path& path, const Json& json) {
-    WriteWholeFile(path, json.dump(2) + "\n");
+    // File names may be any bytes; what is no UTF-8 is replaced rather than thrown at.
+    WriteWholeFile(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 JsonFields::JsonFields(const Json& object, std::string file, std::string at)

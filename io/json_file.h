@@ -21,8 +21,8 @@ namespace plumb {
 nlohmann::ordered_json ParseJson(std::string_view text, const std::string& name);
 nlohmann::ordered_json ReadJsonFile(const std::filesystem::path& path);
 
-/// Indented by two, fields in their order, numbers with the digits that read back, a newline at
-/// the end; whole or not at all.
+/// Indented by two, fields in their order, numbers with the digits that read back, what is no
+/// UTF-8 replaced, a newline at the end; whole or not at all.
 void WriteJsonFile(const std::filesystem::path& path, const nlohmann::ordered_json& json);
 
 /// What a number must be besides finite.

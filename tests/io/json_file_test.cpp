@@ -42,6 +42,11 @@ TEST_F(JsonFile, KeepsOrderAndBits) {
     EXPECT_THROW(ReadJsonFile(Path("none.json")), Error);
 }
 
+TEST_F(JsonFile, ReplacesWhatIsNoUtf8) {
+    WriteJsonFile(Path("a.json"), {{"name", "wall\xff"}});
+    EXPECT_EQ(ReadJsonFile(Path("a.json"))["name"], "wall\xef\xbf\xbd");  // U+FFFD
+}
+
 TEST(JsonFields, ReadsFieldsThatAreThere) {
     const Json json = ParseJson(
         R"({"number": 2.5, "text": "t", "one": "b", "numbers": [1, 2], "count": 7})", "a.json");

@@ -109,7 +109,7 @@ std::string CurveSentence(const CurveFit& curve) {
         const FittedParameter& parameter = curve.fit.parameters[j];
         constants.push_back(Html(parameter.name) + " = " +
                             WithError(parameter.value, parameter.standard_error.value_or(0)));
-        if (curve.published) published.push_back(Digits(curve.published->values[j], 5));
+        if (curve.published) published.push_back(Exact(Rounded(curve.published->values[j], 5)));
     }
     std::string text = "<b>" + Html(curve.title) + "</b> refitted: " + Listed(constants);
     if (curve.published) text += " (published " + Listed(published) + ")";
@@ -156,8 +156,8 @@ std::string FaultSentence(const FormulaFaults& faults) {
     for (const BrokenInterval& interval : faults.above_one)
         text += (text.empty() ? "With the " + Html(faults.name) + " constants F<sub>0</sub>"
                               : std::string(" F<sub>0</sub>")) +
-                " exceeds 1 for α between " + Digits(interval.low, 4) + " and " +
-                Digits(interval.high, 4) + ".";
+                " exceeds 1 for α between " + Exact(Rounded(interval.low, 4)) + " and " +
+                Exact(Rounded(interval.high, 4)) + ".";
     return text;
 }
 

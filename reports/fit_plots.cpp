@@ -107,7 +107,8 @@ std::string CurveTable(const std::vector<CurveFit>& curves) {
                 {WithError(parameter.value, parameter.standard_error.value_or(0)) +
                      (parameter.at_bound ? " (at bound)" : ""),
                  "best", ""},
-                {curve.published ? Digits(curve.published->values[j], 5) : "–", "", ""}};
+                {curve.published ? Exact(Rounded(curve.published->values[j], 5)) : "–", "",
+                 ""}};
             if (j == 0) {
                 const std::vector<std::string> of_fit{
                     Digits(curve.fit.rmse),

@@ -123,7 +123,8 @@ void WriteTable(std::ostream& out, const FitReport& report) {
                              ? Digits(interval->low, 4) + " ... " + Digits(interval->high, 4)
                              : "",
                          20)
-                << Right(std::isfinite(published) ? Digits(published, 5) : "", 12) << '\n';
+                << Right(std::isfinite(published) ? Exact(Rounded(published, 5)) : "", 12)
+                << '\n';
             name.clear();
         }
         if (!line.fit.converged) out << "  did not converge: " << line.fit.termination << '\n';

@@ -1,4 +1,6 @@
 // E(rho) of all bounces: simulation, recommended formula, any other formula beside it.
+#include <algorithm>
+
 #include "reports/fit_plots.h"
 #include "reports/fit_report_page.h"
 #include "reports/fit_report_parts.h"
@@ -87,7 +89,7 @@ std::string Totals(const FitReport& report, PlotSheet& sheet) {
     residual_compared.caption =
         "The same scale as on the left: narrower is better. What is cut off is worse still.";
 
-    double largest = 0;
+    double largest = 0, largest_compared = 0;
     std::vector<std::string> names;
     for (const bool by_V : {true, false}) {
         const std::vector<Choice> choices =
@@ -104,7 +106,8 @@ std::string Totals(const FitReport& report, PlotSheet& sheet) {
             const auto draw = [&](const FormulaRecord& record, Plot& values, Plot& residuals,
                                   std::vector<std::pair<std::string, std::string>> keys) {
                 TotalViews views =
-                    DrawTotal(choice, columns, shown, record, std::move(keys), sheet, largest);
+                    DrawTotal(choice, columns, shown, record, std::move(keys), sheet,
+                              &record == &ours ? largest : largest_compared);
                 views.value.x = views.residual.x = x;
                 values.views.push_back(std::move(views.value));
                 residuals.views.push_back(std::move(views.residual));
@@ -117,7 +120,11 @@ std::string Totals(const FitReport& report, PlotSheet& sheet) {
                      {map, over, {"formula", record->name}});
         }
     }
-    residual.y = residual_compared.y = ResidualAxis("formula – simulation [–]", largest);
+    // Both on one scale, but a pole of the other formula must not flatten ours.
+    constexpr double kShownOfOthers = 0.3;
+    residual.y = residual_compared.y =
+        ResidualAxis("formula – simulation [–]",
+                     std::max(largest, std::min(largest_compared, kShownOfOthers)));
 
     std::vector<std::string> formulas;
     for (const FormulaRecord* record : compared) formulas.push_back(record->name);

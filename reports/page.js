@@ -25,11 +25,11 @@
 
   function datasets(series) {
     const base = {
-      label: series.label, borderColor: series.color, backgroundColor: series.color,
-      borderWidth: 2, pointRadius: 0, pointHitRadius: 6, pointStyle: 'line', showLine: true, tension: 0,
+      label: series.label, mark: series.mark, borderColor: series.color, backgroundColor: series.color,
+      borderWidth: 2, pointRadius: 0, pointHitRadius: 6, showLine: true, tension: 0,
     };
     if (series.mark === 'band') {
-      const edge = { ...base, borderWidth: 0, pointHitRadius: 0, pointStyle: 'rect', backgroundColor: series.color + '66' };
+      const edge = { ...base, borderWidth: 0, pointHitRadius: 0, backgroundColor: series.color + '66' };
       return [
         { ...edge, data: points(series, series.y), fill: '+1' },
         { ...edge, data: points(series, series.high), label: '', fill: false },
@@ -40,6 +40,38 @@
         pointStyle: shapes[(series.shape || 0) % shapes.length], showLine: Boolean(series.joined) }];
     }
     return [{ ...base, data: points(series, series.y), borderDash: series.mark === 'dashed' ? [6, 4] : [] }];
+  }
+
+  // What stands for a series in the legend, drawn as the series is.
+  function swatch(set) {
+    const canvas = document.createElement('canvas');
+    canvas.width = 24;
+    canvas.height = 12;
+    const pen = canvas.getContext('2d');
+    pen.fillStyle = set.backgroundColor;
+    pen.strokeStyle = set.borderColor;
+    pen.lineWidth = 2;
+    if (set.mark === 'band') {
+      pen.fillRect(2, 1, 20, 10);
+      return canvas;
+    }
+    if (set.mark !== 'dots' || set.showLine) {
+      pen.setLineDash(set.borderDash || []);
+      pen.beginPath();
+      pen.moveTo(1, 6);
+      pen.lineTo(23, 6);
+      pen.stroke();
+    }
+    if (set.mark === 'dots') {
+      Chart.helpers.drawPoint(pen, { pointStyle: set.pointStyle, radius: 4, borderWidth: set.borderWidth }, 12, 6);
+    }
+    return canvas;
+  }
+
+  function legend(chart) {
+    return chart.data.datasets.map((set, i) => ({
+      text: set.label, datasetIndex: i, hidden: !chart.isDatasetVisible(i), pointStyle: swatch(set),
+    })).filter((item) => item.text);
   }
 
   function scale(axis) {
@@ -82,8 +114,8 @@
         plugins: {
           legend: {
             position: 'bottom',
-            labels: { usePointStyle: true, pointStyleWidth: 22, boxHeight: 7, padding: 8, font: { size: 12 },
-              filter: (item) => Boolean(item.text) },
+            labels: { usePointStyle: true, pointStyleWidth: 24, boxHeight: 12, padding: 8,
+              font: { size: 12 }, generateLabels: legend },
           },
           tooltip: { callbacks: { label: (item) => (item.dataset.label ? item.dataset.label + ': ' : '') +
             number(item.parsed.x) + ', ' + number(item.parsed.y) } },

@@ -9,10 +9,10 @@
 namespace plumb {
 
 struct ConvergenceSettings {
-    std::vector<int> slices = {4, 8, 16, 32, 64, 128};
-    std::vector<int> rays = {16, 64, 256, 1024, 4096};
-    int reference_slices = 1024;  ///< With another seed than those that are judged.
-    int runs = 3;                 ///< Of each; the median time counts. [1, ...)
+    std::vector<int> slices = {4, 8, 16, 32, 64};
+    std::vector<int> rays = {16, 64, 256, 1024};
+    int reference_slices = 512;  ///< With another seed than those that are judged.
+    int runs = 3;                ///< Of each; the median time counts. [1, ...)
 };
 
 /// Simulates `field` with each count in turn. The errors are root mean squares over facets

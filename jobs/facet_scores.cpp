@@ -21,8 +21,10 @@ double FloorOver(const BounceHistogram& histogram) {
 }  // namespace
 
 double FacetRms(const Formula& formula, const SurfaceLight& light) {
-    constexpr std::int64_t kChunk = 4096;
-    const std::int64_t n = std::int64_t(light.V.size());
+    constexpr std::int64_t kChunk = 1024;
+    const std::int64_t stride =
+        (std::int64_t(light.V.size()) + kScoredFacets - 1) / kScoredFacets;
+    const std::int64_t n = (std::int64_t(light.V.size()) + stride - 1) / stride;
     struct Sum {
         double square = 0;
         std::int64_t count = 0;
@@ -31,7 +33,8 @@ double FacetRms(const Formula& formula, const SurfaceLight& light) {
     ParallelFor(n, kChunk, [&](std::int64_t begin, std::int64_t end) {
         Sum& sum = sums[std::size_t(begin / kChunk)];
         for (std::size_t r = 0; r < light.albedos.size(); ++r) {
-            for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
+            for (std::int64_t k = begin; k < end; ++k) {
+                const std::size_t i = std::size_t(k * stride);
                 const double f =
                     formula({UniformVisibility(light.alpha[i]), CosineVisibility(light.V[i]),
                              Albedo(light.albedos[r])});

@@ -17,7 +17,11 @@
 
 namespace plumb {
 
-/// rms of the header. Cost: one evaluation a facet and albedo.
+/// Facets that a rms is taken over at most: every n-th of a larger map, which leaves an error
+/// of the rms of under 1 %.
+inline constexpr std::int64_t kScoredFacets = 65537;
+
+/// rms of the header. Cost: one evaluation a scored facet and albedo.
 double FacetRms(const Formula& formula, const SurfaceLight& light);
 
 /// The floors of alpha, of V and of both, from the histograms of the simulation.

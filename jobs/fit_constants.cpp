@@ -78,7 +78,7 @@ class Fitter {
         monitor_.Progress("fits", 0.2);
         Baselines();
         RefittedPaper(report);
-        RefittedTotal(ModelOf<EscapeOfAlpha>(), report);
+        RefittedTotal(ModelOf<EscapeOfAlphaClamped>(), report);
         RefittedTotal(ModelOf<EscapeOfV>(), report);
         RefittedTotal(ModelOf<EscapeBentOfV>(), report);
         RefittedTotal(ModelOf<EscapeOfBoth>(), report);
@@ -276,7 +276,7 @@ ShaderHeader ShaderHeaderOf(const FitReport& report) {
                         "PlumbTotalOfV", "From cosine visibility alone, bent."),
         ShaderFormulaOf(RecordNamed(report, RefittedName(EscapeOfV::kName)), "PlumbEscapeOfV",
                         "From cosine visibility alone, a power law."),
-        ShaderFormulaOf(RecordNamed(report, RefittedName(EscapeOfAlpha::kName)),
+        ShaderFormulaOf(RecordNamed(report, RefittedName(EscapeOfAlphaClamped::kName)),
                         "PlumbEscapeOfAlpha", "From uniform visibility alone."),
     };
     for (const FormulaRecord& record : report.formulas) {

@@ -23,10 +23,10 @@ namespace plumb {
 struct FitSettings {
     SimulateSettings simulate;
     Weighting weighting = Weighting::kPopulation;
-    int starts = 8;                  ///< Of every fit to all maps. [1, ...)
-    int bootstrap_replicates = 100;  ///< 0 = none; needs two maps. [0, ...)
-    bool study_convergence = true;   ///< On the middle of the first map.
-    bool study_amplitude = true;     ///< On the middle of the first map.
+    int starts = 8;                 ///< Of every fit to all maps. [1, ...)
+    int bootstrap_replicates = 50;  ///< 0 = none; needs two maps. [0, ...)
+    bool study_convergence = true;  ///< On the middle of the first map.
+    bool study_amplitude = true;    ///< On the middle of the first map.
 };
 
 struct FitConstantsResult {

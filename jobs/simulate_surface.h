@@ -65,7 +65,7 @@ struct SurfaceLight {
 
 /// Bins along one side of the grid over (alpha, V): fine enough that its bins are narrower than
 /// those of either histogram where facets are, coarse enough that bins hold several facets.
-inline constexpr int kAlphaVGridSide = 32;
+inline constexpr int kAlphaVGridSide = 24;
 
 /// What a simulation takes its times with: seconds from some fixed moment. Jobs have no clock
 /// of their own.

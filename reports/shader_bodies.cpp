@@ -47,6 +47,16 @@ constexpr std::string_view kEscapeOfAlpha = R"(
     return PlumbUnit(1.0f - (1.0f - V) * ((1.0f - rho) / max((1.0f - rho) + rho * g, 1e-20f)));
 )";
 
+// F0 is kept under alpha (2 - alpha), which no V exceeds.
+constexpr std::string_view kEscapeOfAlphaClamped = R"(
+    float alpha = PlumbUnit(uniform_visibility);
+    {T} rho = PlumbUnit(albedo);
+    float F0 = alpha * (1.0f + {a0} * pow(1.0f - alpha, {p0}));
+    float V = PlumbUnit(min(F0, alpha * (2.0f - alpha)));
+    float g = PlumbUnit({a} * pow(V, {b}));
+    return PlumbUnit(1.0f - (1.0f - V) * ((1.0f - rho) / max((1.0f - rho) + rho * g, 1e-20f)));
+)";
+
 constexpr std::string_view kCavity = R"(
     float V = PlumbUnit(cosine_visibility);
     {T} rho = PlumbUnit(albedo);
@@ -68,6 +78,7 @@ constexpr std::string_view kMayauxPort = R"(
 constexpr Body kBodies[] = {
     {EscapeOfV::kName, kEscapeOfV},
     {EscapeOfAlpha::kName, kEscapeOfAlpha},
+    {EscapeOfAlphaClamped::kName, kEscapeOfAlphaClamped},
     {EscapeOfBoth::kName, kEscapeOfBoth},
     {EscapeBentOfV::kName, kEscapeBentOfV},
     {CavityModel::kName, kCavity},

@@ -173,9 +173,7 @@ std::string BounceFamily(const FitReport& report, PlotSheet& sheet) {
         const Column x = Abscissae(sheet, histogram);
         PlotView drawn = View({{"map", choice.name}}), left = drawn, sums = drawn;
         const int bounces = histogram.Bounces();
-        const auto color = [&](int k) {
-            return ScaleColor((k - 1) / double(std::max(bounces - 1, 1)));
-        };
+        const auto color = [&](int k) { return BounceColor(k, bounces); };
         for (const CurveFit& curve : report.bounce_family) {
             const auto k = std::size_t(curve.bounce);
             if (curve.bounce > bounces) continue;

@@ -15,7 +15,7 @@ using parts::Find;
 /// sides of a pole.
 Plot PolePlot(const Formula& formula, PlotSheet& sheet) {
     constexpr double kFrom = 0.9, kCut = 2.5;
-    constexpr int kPoints = 801;
+    constexpr int kPoints = 2001;
     std::vector<double> alphas;
     for (int i = 0; i < kPoints; ++i)
         alphas.push_back(kFrom + (1 - kFrom) * i / double(kPoints - 1));

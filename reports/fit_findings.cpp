@@ -131,7 +131,8 @@ std::string EnergySentence(const FitReport& report) {
     }
     std::string text = "The simulation keeps its energy: ";
     if (known)
-        text += "at albedo 1 the bounces of every facet sum to 1 within " + Digits(furnace, 2);
+        text += "at albedo 1 the bounces of every facet sum to 1 " +
+                (furnace > 0 ? "within " + Digits(furnace, 2) : "exactly");
     if (known && closed) text += "; ";
     if (closed)
         text += "the openings of every closed map add up to its ground area within " +
@@ -198,8 +199,8 @@ std::string ConstantsTable(const TotalFit& total) {
     }
     return Table({{"constant"},
                   {"value [–]"},
-                  {"standard error, one map set"},
-                  {"over maps"},
+                  {"standard error, samples independent"},
+                  {"standard error over maps"},
                   {"interval over maps"},
                   {"", true}},
                  rows);

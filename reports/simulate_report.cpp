@@ -138,15 +138,15 @@ std::string LightHtml(const SimulateReport& report, PlotSheet& sheet) {
                      const Column x = Abscissae(sheet, histogram);
                      const int last = histogram.Bounces();
                      for (int k = 1; k <= last; ++k)
-                         view.series.push_back(Series(
-                             InLegend(k) ? "bounce " + std::to_string(k) : "", Mark::kLine,
-                             ScaleColor((k - 1) / double(std::max(last - 1, 1))), x,
-                             BinColumn(sheet, histogram, [k](const BounceBin& bin) {
-                                 return bin.bounce[std::size_t(k)].mean;
-                             })));
+                         view.series.push_back(
+                             Series(InLegend(k) ? "bounce " + std::to_string(k) : "",
+                                    Mark::kLine, BounceColor(k, last), x,
+                                    BinColumn(sheet, histogram, [k](const BounceBin& bin) {
+                                        return bin.bounce[std::size_t(k)].mean;
+                                    })));
                      return view;
                  });
-    const Plot totals = OverBoth(
+    Plot totals = OverBoth(
         report,
         {.id = "totals",
          .title = "All bounces: E(ρ)",
@@ -166,6 +166,7 @@ std::string LightHtml(const SimulateReport& report, PlotSheet& sheet) {
                                      [r](const BounceBin& bin) { return bin.total[r].mean; })));
             return view;
         });
+    totals.wide = true;
     return sheet.Group({{"over", "Over", {"α", "V"}}},
                        {CountPlot(report, sheet), direct, first, bounces, totals});
 }
@@ -181,8 +182,11 @@ std::string FindingsHtml(const SimulateReport& report) {
         Digits(100 * figures.mean_first_bounce, 3) +
         " % more arrive after one bounce at albedo 1.</li>\n";
     if (std::isfinite(figures.max_furnace_error))
-        html += "<li>At albedo 1 the bounces of every facet sum to 1 within " +
-                Digits(figures.max_furnace_error, 2) + ".</li>\n";
+        html +=
+            "<li>At albedo 1 the bounces of every facet sum to 1 " +
+            (figures.max_furnace_error > 0 ? "within " + Digits(figures.max_furnace_error, 2)
+                                           : std::string("exactly")) +
+            ".</li>\n";
     if (figures.aperture)
         html += "<li>The openings of all facets add up to " +
                 WithError(figures.aperture->mean, figures.aperture->standard_error) +

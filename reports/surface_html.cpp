@@ -1,5 +1,6 @@
 #include "reports/surface_html.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "reports/text.h"
@@ -38,7 +39,7 @@ std::string PictureBox(const std::string& data_uri, const std::string& name,
 }
 
 std::string PercentOfWidth(double amplitude_of_width) {
-    return Digits(100 * amplitude_of_width, 3) + " %";
+    return Exact(Rounded(100 * amplitude_of_width, 3)) + " %";
 }
 
 }  // namespace
@@ -112,6 +113,10 @@ std::optional<BounceHistogram> PooledMeans(std::span<const BounceHistogram* cons
     return pooled;
 }
 
+std::string BounceColor(int bounce, int last) {
+    return ScaleColor(last > 1 ? std::log(bounce) / std::log(last) : 0);
+}
+
 bool InLegend(int bounce) {
     return bounce <= 3 || bounce == 5 || bounce % 10 == 0;
 }
@@ -126,8 +131,11 @@ std::vector<std::size_t> PlottedAlbedos(const std::vector<double>& albedos) {
 }
 
 std::string AmplitudeHtml(const AmplitudeSweep& sweep, PlotSheet& sheet) {
-    std::vector<double> x, alpha, V, first, recommended, published;
+    std::vector<double> x, alpha, V, first;
     std::vector<std::vector<Cell>> rows;
+    const bool scored = std::any_of(
+        sweep.points.begin(), sweep.points.end(),
+        [](const AmplitudePoint& point) { return std::isfinite(point.recommended_rms); });
     PlotView curves;
     double lowest = 1, highest = 0;
     for (std::size_t i = 0; i < sweep.points.size(); ++i) {
@@ -136,17 +144,17 @@ std::string AmplitudeHtml(const AmplitudeSweep& sweep, PlotSheet& sheet) {
         alpha.push_back(point.figures.mean_alpha);
         V.push_back(point.figures.mean_V);
         first.push_back(point.figures.mean_first_bounce);
-        recommended.push_back(point.recommended_rms);
-        published.push_back(point.published_rms);
         lowest = std::min(lowest, point.figures.mean_V);
         highest = std::max(highest, point.figures.mean_V);
         rows.push_back({{PercentOfWidth(point.amplitude_of_width), "", ""},
                         {Digits(point.amplitude_m), "", ""},
                         {Digits(point.figures.mean_alpha, 4), "", ""},
                         {Digits(point.figures.mean_V, 4), "", ""},
-                        {Digits(point.figures.mean_first_bounce, 4), "", ""},
-                        {Digits(point.recommended_rms), "", ""},
-                        {Digits(point.published_rms), "", ""}});
+                        {Digits(point.figures.mean_first_bounce, 4), "", ""}});
+        if (scored) {
+            rows.back().push_back({Digits(point.recommended_rms), "", ""});
+            rows.back().push_back({Digits(point.published_rms), "", ""});
+        }
         if (point.over_alpha.Bounces() < 1) continue;
         curves.series.push_back(
             {.label = PercentOfWidth(point.amplitude_of_width),
@@ -217,14 +225,13 @@ std::string AmplitudeHtml(const AmplitudeSweep& sweep, PlotSheet& sheet) {
         ". The paper says that the amplitude has little influence on the "
         "curves but for extreme values.</p>\n";
     html += sheet.Group({}, std::move(plots));
-    return html + Table({{"amplitude, of width"},
-                         {"amplitude [m]"},
-                         {"mean α [–]"},
-                         {"mean V [–]"},
-                         {"mean E₁ [–]"},
-                         {"RMS recommended [–]"},
-                         {"RMS published [–]"}},
-                        rows);
+    std::vector<Head> head{{"amplitude, of width"},
+                           {"amplitude [m]"},
+                           {"mean α [–]"},
+                           {"mean V [–]"},
+                           {"mean E₁ [–]"}};
+    if (scored) head.insert(head.end(), {{"RMS recommended [–]"}, {"RMS published [–]"}});
+    return html + Table(head, rows);
 }
 
 std::string ProvenanceHtml(const Provenance& provenance, const Timings& timings) {
@@ -255,7 +262,7 @@ std::string ProvenanceHtml(const Provenance& provenance, const Timings& timings)
              {Html(map.preparation.empty() ? "none" : map.preparation), "", ""},
              {Html(map.source + (map.licence.empty() ? "" : " (" + map.licence + ")")), "wrap",
               ""},
-             {"<code>" + Html(map.sha256) + "</code>", "", ""}});
+             {"<code>" + Html(map.sha256) + "</code>", "hash", ""}});
     html += Table({{"map"},
                    {"file", true},
                    {"texels"},

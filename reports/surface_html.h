@@ -43,6 +43,9 @@ Column Abscissae(PlotSheet& sheet, const BounceHistogram& histogram);
 /// percentiles of several maps do not follow from each map's own. None if the bins differ.
 std::optional<BounceHistogram> PooledMeans(std::span<const BounceHistogram* const> maps);
 
+/// The colour of bounce 1 ... last, by its logarithm: the first bounces differ most.
+std::string BounceColor(int bounce, int last);
+
 /// Which bounces have their name in a legend: 1, 2, 3, 5, 10, 20, ...
 bool InLegend(int bounce);
 

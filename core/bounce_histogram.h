@@ -5,8 +5,9 @@
 // abscissa, never an edge or a centre: [Mayaux18]'s constants carry half a bin of shift from
 // that.
 //
-// Symbols  alpha, V, E_k, E(rho) as in core/conventions.h. All means are weighted by facet
-// area.
+// Symbols  alpha, V, E_k, E(rho) as in core/conventions.h.
+// Beware   Every facet counts once: facets share one projected area, so this is the paper's
+//          count of texels, not a mean over the true area of steep walls.
 #pragma once
 
 #include <cstdint>

@@ -3,8 +3,8 @@
 //       g = V^b (1 - c (1 - V)),        E as in fit/escape_family.h
 //
 // Near V = 1 every surface is open and g -> 1, whatever the constants: the power law a V^b of
-// EscapeOfV cannot do that unless a = 1. With b >= 0 and 0 <= c <= 1, g lies in [0, 1] without a
-// clamp, and every law of fit/escape_family.h holds.
+// EscapeOfV cannot do that unless a = 1. With b >= 0 and 0 <= c <= 1, g lies in [0, 1] without
+// a clamp, and every law of fit/escape_family.h holds.
 //
 // Source   ours; see fit/escape_of_both.h.
 // Symbols  V cosine visibility, rho albedo, g escape probability.

@@ -4,14 +4,15 @@
 //       E(rho) = V + (1 - V) -----------------,        g = V^b alpha^c
 //                             1 - rho (1 - g)
 //
-// The probability g that light leads on to the sky is a power mean of the two visibilities. With
-// b, c >= 0 it lies in [0, 1] without a clamp, so every law of fit/escape_family.h holds:
-// no pole; V <= E <= 1; E(0) = V; E(1) = 1; E rises with rho. V alone cannot tell the floor of a
-// narrow pit, whose sky stands about the normal, from the side of a crest, whose sky lies along the
-// horizon; the pair can, and the surfaces that surround the two have different escapes.
+// The probability g that light leads on to the sky is a product of powers of the two
+// visibilities. With b, c >= 0 it lies in [0, 1] without a clamp, so every law of
+// fit/escape_family.h holds: no pole; V <= E <= 1; E(0) = V; E(1) = 1; E rises with rho. V
+// alone cannot tell the floor of a narrow pit, whose sky stands about the normal, from the side
+// of a crest, whose sky lies along the horizon; the pair can, and the surfaces that surround
+// the two have different escapes.
 //
-// Source   ours; found by comparing some thirty forms of two to four constants, each map held out in
-//          turn (docs/models.md). The cavity (fit/cavity.h) is b = 1, c = 0.
+// Source   ours; found by comparing some thirty forms of none to four constants, each map held
+//          out in turn (docs/models.md). The cavity (fit/cavity.h) is b = 1, c = 0.
 // Symbols  V cosine visibility, alpha uniform visibility, rho albedo, g escape probability.
 // Domain   0 <= V <= 1, 0 <= alpha <= 1, 0 <= rho <= 1, b >= 0, c >= 0.
 #pragma once

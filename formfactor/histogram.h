@@ -7,8 +7,8 @@
 //       floor^2 = Sum_bins n_b var_b / Sum_bins n_b
 //
 // Source   [Mayaux18] "Collecting Data", step 4.
-// Beware   The bins' own width adds to the spread, by slope^2 width^2 / 12: under 1e-3 at 100
-// bins.
+// Beware   The bins' own width adds to the spread, by slope^2 width^2 / 12: under 1e-3 at
+//          100 bins.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,8 @@ class HistogramBuilder {
     std::vector<std::size_t> bin_begin_;
 };
 
-/// The floor of the header, over the bins of two facets or more (one alone shows no spread), for E_k (`total` false) or E(rho) number k (`total` true). Unitless.
+/// The floor of the header for E_k (`total` false) or E(rho) number k (`total` true), over the
+/// bins of two facets or more: one alone shows no spread. Unitless.
 double FloorOf(const BounceHistogram& histogram, int k, bool total);
 
 }  // namespace plumb

@@ -8,9 +8,8 @@
 //
 // Source   [Mayaux18] "Collecting Data", step 1.
 // Symbols  n facet normal, d_k direction of ray k, N rays a facet.
-// Beware   Under cosine sampling the variance of alpha is infinite in theory (it grows as log
-// N):
-//          take alpha from uniform rays or from slices.
+// Beware   Under cosine sampling the variance of alpha is infinite in theory (it grows as
+//          log N): take alpha from uniform rays or from slices.
 //          The paper's program uses one set of directions for all texels, in a cone of 179
 //          degrees normalised as if it were 180 (a surplus of 0.87 % a gather). Here the set is
 //          an Owen-scrambled Sobol net, scrambled anew for every facet, over the whole

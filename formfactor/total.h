@@ -7,8 +7,7 @@
 // after hundreds of bounces.
 //
 // Source   the radiosity equation; [Mayaux18 eq. 2] with the neighbour's own albedo kept. The
-// solver
-//          is Eigen's.
+//          solver is Eigen's.
 // Symbols  E irradiance over that of open ground, V cosine visibility, F links, rho albedo.
 // Beware   With rho = 1 everywhere E = 1 is the solution whatever the surface: the furnace.
 #pragma once

@@ -2,8 +2,8 @@
 //
 // V-groove of two faces of length 1 with opening angle phi, at distance s from the apex:
 //
-//       V     = 1/2 (1 - (cos phi - s) / sqrt(s^2 + 1 - 2 s cos phi))      face mean: sin(phi /
-//       2) alpha = atan2(sin phi, cos phi - s) / pi
+//       V     = 1/2 (1 - (cos phi - s) / sqrt(s^2 + 1 - 2 s cos phi))
+//       alpha = atan2(sin phi, cos phi - s) / pi            mean of V over a face: sin(phi / 2)
 //
 // Trench of width w and depth d, on the floor at distance t from one wall, and on a wall at
 // depth z:
@@ -13,8 +13,7 @@
 //       V_wall  = 1/2 (1 - z / sqrt(z^2 + w^2))         alpha_wall = 1/2 - atan(z / w) / pi
 //
 // Source   derived from V = (sin a_1 + sin a_2) / 2 for a sky strip between the angles -a_1 and
-// a_2
-//          from the normal, and alpha = (a_1 + a_2) / pi, in the cross-section of anything
+//          a_2 from the normal, and alpha = (a_1 + a_2) / pi, in the cross-section of anything
 //          endless.
 // Symbols  lengths in metres (or any one unit), angles in radians.
 #pragma once

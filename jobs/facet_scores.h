@@ -2,13 +2,11 @@
 //
 //       rms^2   = mean over facets i and albedos rho of (f(alpha_i, V_i, rho) - E_i(rho))^2
 //       floor^2 = the same for the best f that there can be, the mean of E over all facets of
-//       the
-//                 same alpha (V, both): the spread within the bins of a fine histogram
+//                 the same alpha (V, both): the spread within the bins of a fine histogram
 //
 // Source   ours.
-// Beware   Facets where a formula is not finite (a pole) are left out of its rms; the table of
-// scores
-//          counts poles.
+// Beware   Facets where a formula is not finite (a pole) are left out of its rms; the table
+//          of scores counts poles.
 #pragma once
 
 #include "fit/model.h"

@@ -2,14 +2,13 @@
 //
 // Two kinds of table are understood:
 //
-//       bin, E0, E1, ...                      irradiance, open ground = pi; the abscissa of bin
-//       k of
-//                                             n is its edge or centre, (k + 1)/n unless told
+//       bin, E0, E1, ...                      irradiance, open ground = pi; the abscissa of
+//                                             bin k of n is (k + 1)/n unless told otherwise
 //       ..., count, alpha, ..., E0, E1, ...   plumb's own histogram CSV: true mean alpha, open
 //                                             ground = 1; empty bins are left out
 //
 // Source   [Mayaux18]: its tables are of the first kind, and its constants match the right
-// edge.
+//          edge.
 #pragma once
 
 #include <filesystem>

@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# The program as a user meets it: what is refused, with which status and words, and that nothing is
+# left half-written. Usage: command_line_test.sh PLUMB
+set -u
+plumb=$1
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+cd "$dir" || exit 1
+failed=0
+
+# expect STATUS WORDS COMMAND...: the status, and the words somewhere on standard error.
+expect() {
+  local status=$1 words=$2
+  shift 2
+  "$@" >stdout 2>stderr
+  local got=$?
+  if [ $got -ne "$status" ]; then
+    echo "FAILED: status $got, not $status: $*"
+    cat stderr
+    failed=1
+  elif [ -n "$words" ] && ! grep -qF -- "$words" stderr; then
+    echo "FAILED: no '$words' on standard error of: $*"
+    cat stderr
+    failed=1
+  fi
+}
+
+# refused WORDS COMMAND...: status 2, the words, and no output folder.
+refused() {
+  rm -rf out
+  expect 2 "$@"
+  [ ! -e out ] || { echo "FAILED: something was written by: $*"; failed=1; }
+}
+
+printf 'not a picture' >fake.png
+: >empty.png
+printf '\377\330\377\340\0\020JFIF\0\001\001' >photo.png
+printf 'Pf\n1 1\n-1.0\n\0\0\0\0' >one.pfm
+printf 'Pf\n3 1\n-1.0\n\0\0\0\0\0\0\0\0\0\0\0\0' >row.pfm
+printf 'Pf\n2 2\n-1.0\n\0\0\0\0\0\0\300\177\0\0\0\0\0\0\0\0' >nan.pfm
+{ printf 'Pf\n3 3\n-1.0\n'; head -c 36 /dev/zero; } >flat.pfm
+printf 'Pf\n40000 40000\n-1.0\n' >huge.pfm
+
+refused 'Run with --help' "$plumb"
+refused 'missing.png' "$plumb" simulate missing.png
+refused 'fake.png' "$plumb" simulate fake.png
+refused 'empty.png' "$plumb" simulate empty.png
+refused 'photo.png' "$plumb" simulate photo.png
+refused 'at least 2 x 2' "$plumb" simulate one.pfm
+refused 'at least 2 x 2' "$plumb" simulate row.pfm
+refused 'nan.pfm' "$plumb" simulate nan.pfm
+refused 'huge.pfm' "$plumb" simulate huge.pfm
+refused 'nothing to fit' "$plumb" fit flat.pfm
+refused 'must be > 0' "$plumb" simulate flat.pfm --spacing-m 0
+refused 'must be finite and > 0' "$plumb" simulate make:bricks:16 --amplitude-m -1
+refused 'in [0, 1]' "$plumb" simulate make:bricks:16 --albedo 1.5
+refused 'in [4, 65536]' "$plumb" simulate make:bricks:16 --slices 0
+refused 'in [0, 1000]' "$plumb" simulate make:bricks:16 --bounces 1001
+refused '--histogram' "$plumb" fit
+
+# A full disk and a folder that cannot be made are the machine's fault.
+touch file
+expect 3 'file' "$plumb" simulate make:bricks:16 --slices 4 --out file/out --quiet
+
+# What it is for, at the smallest size.
+expect 0 '' "$plumb" simulate make:bricks:16 --slices 4 --albedo 0.8 0.5 0.3 --out out --quiet
+for name in light.exr light_albedo.exr light_albedo.png report.html report.json \
+  histogram_alpha.csv histogram_alpha.json histogram_v.csv histogram_v.json; do
+  [ -s "out/$name" ] || { echo "FAILED: no out/$name"; failed=1; }
+done
+expect 0 '' "$plumb" fit make:bricks:24 make:cobbles:24 --slices 4 --no-studies --bootstrap 4 \
+  --out fitted --quiet
+for name in report.html report.json scores.csv constants.csv plumb_light.glsl plumb_light.hlsl \
+  plumb_light.h; do
+  [ -s "fitted/$name" ] || { echo "FAILED: no fitted/$name"; failed=1; }
+done
+! grep -q "$dir" fitted/report.json || { echo "FAILED: a path of the machine in a report"; failed=1; }
+
+# Ctrl-C: status 130, nothing half-written.
+"$plumb" simulate make:stone_wall:512 --out interrupted --quiet 2>stderr &
+pid=$!
+sleep 2
+kill -INT $pid
+wait $pid
+status=$?
+[ $status -eq 130 ] || { echo "FAILED: status $status after an interrupt, not 130"; failed=1; }
+[ -z "$(find interrupted -name '*.part*' 2>/dev/null)" ] || { echo "FAILED: parts are left"; failed=1; }
+
+[ $failed -eq 0 ] && echo "all as expected"
+exit $failed

@@ -1,26 +1,28 @@
-// Owen-scrambled Sobol points: samples that fill the square evenly at every power of two.
+// Owen-scrambled Sobol points: samples that fill a cube evenly at every power of two.
 //
-// Dimensions come in pairs (0, 1), (2, 3), ... Each pair is Sobol's first two dimensions, a
-// (0, 2)-sequence in base 2: every aligned block of 2^k points has exactly one point in each of
-// the 2^k equal boxes 2^-a x 2^-(k-a). Pairs are padded: each visits its points in an order of
-// its own, a nested uniform (Owen) scramble of the index, so that different pairs are
-// independent at random while a pair keeps its property. Each coordinate is Owen-scrambled with
-// a seed of its own: every point is uniform, so a mean over any 2^k points is unbiased, and
-// different seeds are independent replicates whose scatter gives the error.
+// Every aligned block of 2^k points has exactly one point in each of the 2^k equal intervals of
+// every dimension, and in each of the 2^k equal boxes 2^-a x 2^-(k-a) of dimensions (0, 1); of
+// other dimensions together in coarser boxes, so that an integral over the first few bounces of
+// a walk gains too. Each coordinate is Owen-scrambled with a seed of its own, which keeps all
+// that: every point is uniform, so a mean over any block is unbiased, and different seeds are
+// independent replicates whose scatter gives the error.
 //
-// Source   [Sobol67] I. Sobol', On the Distribution of Points in a Cube, 1967; [Owen95]
-//          A. Owen, Randomly Permuted (t, m, s)-Nets and (t, s)-Sequences, 1995; scrambling by
-//          a hash, padding by shuffled indices: [Burley20] B. Burley, Practical Hash-Based Owen
-//          Scrambling, JCGT 9(4), 2020, after [Laine11] S. Laine, T. Karras.
+// Source   [Sobol67] I. Sobol', On the Distribution of Points in a Cube, 1967; direction
+//          numbers: [Joe08] (core/sobol_directions.h); [Owen95] A. Owen, Randomly Permuted
+//          (t, m, s)-Nets and (t, s)-Sequences, 1995; scrambling by a hash, padding by shuffled
+//          indices: [Burley20] B. Burley, Practical Hash-Based Owen Scrambling, JCGT 9(4),
+//          2020, after [Laine11] S. Laine, T. Karras.
 // Domain   index < 2^32, any dimension. A coordinate has 32 bits and is in [0, 1).
-// Beware   Take whole blocks of 2^k points: the first 100 of 128 are no net. Across pairs there
-//          is no stratification: an integral that couples many pairs converges like a random
-//          one in that part.
+// Beware   Take whole blocks of 2^k points: the first 100 of 128 are no net. The lower the
+//          dimension the evener: give dimensions 0 and 1 to what matters most. Dimensions from
+//          64 on are padding: the first 64 again in another order of the points, so that
+//          between blocks of 64 there is only random evenness.
 #pragma once
 
 #include <cstdint>
 
 #include "core/random.h"
+#include "core/sobol_directions.h"
 #include "core/vec.h"
 
 namespace plumb {
@@ -54,25 +56,22 @@ constexpr std::uint32_t OwenScramble(std::uint32_t digits, std::uint64_t key) {
     return ReverseBits(NestedHash(ReverseBits(digits), key));
 }
 
-/// Sobol's second dimension, bits reversed. Its generator is Pascal's triangle mod 2; binomial
-/// (i, j) is odd exactly if the bits of j are among those of i (Lucas), so the product is five
-/// steps of a sum over supersets of bit numbers.
-constexpr std::uint32_t SobolSecondReversed(std::uint32_t index) {
-    index ^= (index >> 1) & 0x55555555u;
-    index ^= (index >> 2) & 0x33333333u;
-    index ^= (index >> 4) & 0x0f0f0f0fu;
-    index ^= (index >> 8) & 0x00ff00ffu;
-    return index ^ ((index >> 16) & 0x0000ffffu);
+/// The 32 binary digits of Sobol's point `index`, unscrambled, the first digit in the least bit.
+constexpr std::uint32_t SobolReversed(std::uint32_t index, std::uint32_t dimension) {
+    const SobolMatrix& matrix = kSobolMatrices[dimension];
+    std::uint32_t digits = 0;
+    for (int k = 0; index != 0; ++k, index >>= 4) digits ^= matrix[k][index & 15];
+    return digits;
 }
 
-/// The 32 binary digits of one coordinate of point `index`.
+/// The 32 binary digits of one coordinate of point `index`, the first in the greatest bit.
 constexpr std::uint32_t SobolOwenBits(std::uint32_t index, std::uint32_t dimension,
                                       std::uint64_t seed) {
-    const std::uint64_t pair = Absorb(Absorb(0, seed), dimension / 2);
-    const std::uint32_t shuffled = OwenScramble(index, pair);
-    const bool second = dimension % 2 == 1;
-    const std::uint32_t reversed = second ? SobolSecondReversed(shuffled) : shuffled;
-    return ReverseBits(NestedHash(reversed, Absorb(pair, second)));
+    const std::uint64_t key = Absorb(0, seed);
+    const std::uint32_t block = dimension / kSobolDimensions;
+    if (block > 0) index = OwenScramble(index, Absorb(~key, block));
+    const std::uint32_t digits = SobolReversed(index, dimension % kSobolDimensions);
+    return ReverseBits(NestedHash(digits, Absorb(key, dimension)));
 }
 
 /// One coordinate of point `index`, in [0, 1).
@@ -80,12 +79,9 @@ constexpr double SobolOwen(std::uint32_t index, std::uint32_t dimension, std::ui
     return SobolOwenBits(index, dimension, seed) * 0x1p-32;
 }
 
-/// Dimensions 2 pair and 2 pair + 1 of point `index`, which share most of the work.
+/// Dimensions 2 pair and 2 pair + 1 of point `index`.
 inline Vec2 SobolOwenPair(std::uint32_t index, std::uint32_t pair, std::uint64_t seed) {
-    const std::uint64_t key = Absorb(Absorb(0, seed), pair);
-    const std::uint32_t shuffled = OwenScramble(index, key);
-    return {ReverseBits(NestedHash(shuffled, Absorb(key, 0))) * 0x1p-32,
-            ReverseBits(NestedHash(SobolSecondReversed(shuffled), Absorb(key, 1))) * 0x1p-32};
+    return {SobolOwen(index, 2 * pair, seed), SobolOwen(index, 2 * pair + 1, seed)};
 }
 
 }  // namespace plumb

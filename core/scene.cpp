@@ -1,0 +1,75 @@
+#include "core/scene.h"
+
+#include <cmath>
+
+#include "core/error.h"
+
+namespace plumb {
+namespace {
+
+void NotNegative(const Rgb& colour, const std::string& name, double most, const char* rule) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (!(colour[c] >= 0 && colour[c] <= most)) {
+            throw Error(MustBe(name + "[" + std::to_string(c) + "]", colour[c], rule));
+        }
+    }
+}
+
+}  // namespace
+
+void Validate(const Scene& scene) {
+    const std::string& name = scene.name;
+    if (scene.mesh.quads.empty()) throw Error(name + ": faces = 0, must be >= 1");
+    const std::size_t vertices = scene.mesh.vertices_m.size();
+    for (std::size_t i = 0; i < vertices; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const float x = scene.mesh.vertices_m[i][axis];
+            if (!(std::abs(x) <= 1e15f)) {
+                throw Error(MustBe(name + ": vertex " + std::to_string(i) + "." + "xyz"[axis],
+                                   x, "finite and at most 1e15 from 0"));
+            }
+        }
+    }
+    for (std::size_t f = 0; f < scene.mesh.quads.size(); ++f) {
+        for (const std::uint32_t corner : scene.mesh.quads[f]) {
+            if (corner >= vertices) {
+                throw Error(MustBe(name + ": corner of face " + std::to_string(f), corner,
+                                   "< " + std::to_string(vertices) + ", the vertices"));
+            }
+        }
+    }
+    if (scene.material_of_face.size() != scene.mesh.quads.size()) {
+        throw Error(MustBe(name + ": faces with a material",
+                           double(scene.material_of_face.size()), "the number of faces"));
+    }
+    for (const std::uint16_t material : scene.material_of_face) {
+        if (material >= scene.materials.size()) {
+            throw Error(MustBe(name + ": material of a face", material,
+                               "< " + std::to_string(scene.materials.size())));
+        }
+    }
+    constexpr double kHuge = 1e30;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        NotNegative(scene.materials[m].albedo,
+                    name + ": materials[" + std::to_string(m) + "].albedo", 1, "in [0, 1]");
+    }
+    NotNegative(scene.light.sky, name + ": sky", kHuge, "finite and >= 0");
+    for (std::size_t i = 0; i < scene.light.directional.size(); ++i) {
+        const std::string at = name + ": directional_lights[" + std::to_string(i) + "]";
+        NotNegative(scene.light.directional[i].irradiance, at + ".irradiance", kHuge,
+                    "finite and >= 0");
+        if (!(scene.light.directional[i].towards.norm() > 0)) {
+            throw Error(at + ".towards has no length, must have one");
+        }
+    }
+    for (std::size_t i = 0; i < scene.light.points.size(); ++i) {
+        NotNegative(scene.light.points[i].intensity,
+                    name + ": point_lights[" + std::to_string(i) + "].intensity", kHuge,
+                    "finite and >= 0");
+    }
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+        Validate(scene.cameras[i], name + ": cameras[" + std::to_string(i) + "]");
+    }
+}
+
+}  // namespace plumb

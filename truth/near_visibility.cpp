@@ -1,0 +1,91 @@
+#include "truth/near_visibility.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "core/sobol.h"
+#include "core/warp.h"
+#include "truth/leave_surface.h"
+
+namespace plumb {
+
+double OpennessAt(double d_m, double reach_m, Falloff falloff) {
+    if (d_m >= reach_m) return 1;
+    const double x = d_m / reach_m;
+    switch (falloff) {
+        case Falloff::kHard:
+            return 0;
+        case Falloff::kLinear:
+            return x;
+        case Falloff::kSao:
+            return 1 - std::pow(1 - x * x, 3);
+    }
+    return 1;
+}
+
+void Validate(const NearOptions& options) {
+    Validate(options.sampling);
+    if (!(options.reach_m > 0 && std::isfinite(options.reach_m))) {
+        throw Error(MustBe("NearOptions::reach_m", options.reach_m, "in (0, infinity)"));
+    }
+}
+
+Measured NearSums::Of(std::int64_t receiver, double confidence) const {
+    std::vector<double> means;
+    for (int r = 0; r < replicates; ++r) {
+        means.push_back(sum[std::size_t(receiver * replicates + r)] / double(points));
+    }
+    return FromMeans(means, points, confidence);
+}
+
+void NearSums::Merge(const NearSums& later) {
+    assert(later.sum.size() == sum.size() && later.replicates == replicates);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += later.sum[i];
+    points += later.points;
+}
+
+NearSums MeasureNear(const RayCaster& caster, const Mesh& mesh,
+                     std::span<const Receiver> receivers, const NearOptions& options,
+                     Monitor& monitor) {
+    Validate(options);
+    const Sampling& sampling = options.sampling;
+    const std::size_t R = std::size_t(sampling.replicates), n = std::size_t(sampling.points);
+    NearSums sums{.replicates = int(R),
+                  .points = sampling.points,
+                  .sum = std::vector<double>(receivers.size() * R)};
+    ParallelFor(
+        std::int64_t(receivers.size()), 16,
+        [&](std::int64_t begin, std::int64_t end) {
+            std::vector<Ray> rays(n);
+            std::vector<Hit> hits(n);
+            for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
+                const Triangle triangle = TriangleOf(mesh, receivers[i].triangle);
+                const Basis frame(receivers[i].Normal(triangle));
+                for (std::size_t r = 0; r < R; ++r) {
+                    const std::uint64_t net = NetSeed(sampling.seed, std::int64_t(i), int(r));
+                    for (std::size_t s = 0; s < n; ++s) {
+                        const std::uint32_t index =
+                            std::uint32_t(sampling.first + std::int64_t(s));
+                        const Vec2 b = receivers[i].Place(SobolOwenPair(index, 0, net));
+                        rays[s] = LeaveSurface(triangle, b.x(), b.y(), frame.n);
+                        rays[s].far = float(options.reach_m);
+                        const Vec3 w = SampleCosineHemisphere(SobolOwenPair(index, 1, net));
+                        rays[s].direction = frame.ToWorld(w).cast<float>();
+                    }
+                    caster.Closest(rays, hits);
+                    double sum = 0;
+                    for (const Hit& hit : hits) {
+                        sum +=
+                            hit.Met() ? OpennessAt(hit.t, options.reach_m, options.falloff) : 1;
+                    }
+                    sums.sum[i * R + r] = sum;
+                }
+            }
+        },
+        monitor, "near visibility");
+    return sums;
+}
+
+}  // namespace plumb

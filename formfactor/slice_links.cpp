@@ -156,13 +156,13 @@ class SliceRow {
                        return headroom_m > (slope + tolerance * (1 + above * above)) * t_m;
                    });
         Zenith last(horizon);
-        if (field_.GetBoundary() != Boundary::kOpen && horizon < 0 &&
-            stretches_.size() > begin) {
+        if (field_.GetBoundary() != Boundary::kOpen && horizon < 0) {
             // An endless surface hides all that lies below the horizontal.
             const Zenith level(0.0);
             const double next = CosineBelow(level, c, n_z);
             if (below > next) {
                 out.cut_short = below - next;
+                if (stretches_.size() == begin) stretches_.push_back({std::uint32_t(facet), 0});
                 stretches_.back().weight += below - next;
                 last = level;
             }

@@ -23,8 +23,8 @@
 //          A line of sight is followed until what the surface can still hide ahead of it is
 //          thinner than `horizon_tolerance_rad`. What is left then is sky above the horizontal,
 //          so alpha may be too open by that tolerance, V by twice that; below it, where the
-//          field is endless, it is given to the facet last seen, and Links::mean_cut_short
-//          states the share.
+//          field is endless, it is given to the facet last seen (to the facet itself if there
+//          was none), and Links::mean_cut_short states the share.
 #pragma once
 
 #include <cstdint>

@@ -212,6 +212,7 @@ TEST(Thinning, KeepsEachFacetInProportion) {
     const HeightField field = RoughField(9, 8, 8);
     const std::int64_t facet = 70;
     std::vector<Moments> apart(std::size_t(field.Facets()));
+    std::vector<int> seen(apart.size());
     for (std::uint64_t seed = 1; seed <= 600; ++seed) {
         // Only the one facet's row is looked at, but links are made of all.
         const SliceOptions full{.slices = 4, .seed = seed, .links_per_slice = 1 << 20};
@@ -220,16 +221,19 @@ TEST(Thinning, KeepsEachFacetInProportion) {
         std::vector<double> difference(std::size_t(field.Facets()));
         for (const auto& [j, F] : RowOf(LinksBySlices(field, thin), facet)) difference[j] += F;
         for (const auto& [j, F] : RowOf(LinksBySlices(field, full), facet)) difference[j] -= F;
-        for (std::size_t j = 0; j < apart.size(); ++j) apart[j].Add(difference[j]);
+        for (std::size_t j = 0; j < apart.size(); ++j) {
+            apart[j].Add(difference[j]);
+            seen[j] += difference[j] != 0;
+        }
     }
     int compared = 0;
     for (std::size_t j = 0; j < apart.size(); ++j) {
         // A facet that is rarely seen has no normal mean yet.
-        if (apart[j].Estimate().standard_error < 1e-4) continue;
+        if (seen[j] < 60) continue;
         ++compared;
         EXPECT_LE(Excess(apart[j], 0, kFloatRow), 1) << "facet " << j;
     }
-    EXPECT_GE(compared, 20);
+    EXPECT_GE(compared, 10);
 }
 
 // Expected: what is left of a slice is thinner than the tolerance, so a slice's share of solid
@@ -260,6 +264,70 @@ TEST(HorizonTolerance, BoundsTheErrorOfAlphaAndV) {
                 if (tolerance == 0.1 && amplitude < 10) {
                     EXPECT_GT(most, 0);
                 }
+            }
+        }
+    }
+}
+
+// The sharpest case: a wall a little higher right behind the wall that is seen first, the same
+// on either side, seen by four slices that all cross at 45 degrees. Whatever the tolerance, it
+// may cost no more than it says; three times as much would pass the bound at some of these.
+TEST(HorizonTolerance, IsNotExceededByAWallBehindAWall) {
+    Image<double> heights(41, 3);
+    for (int j = 0; j < 3; ++j) {
+        heights(18, j) = heights(22, j) = 0.8;
+        heights(19, j) = heights(20, j) = heights(21, j) = 1;
+    }
+    const HeightField field(std::move(heights), 1, 1);
+    const auto look = [&](double tolerance) {
+        return LinksBySlices(field, {.slices = 4,
+                                     .origins = Origins::kCentroid,
+                                     .rotate = false,
+                                     .horizon_tolerance_rad = tolerance});
+    };
+    const Links fine = look(1e-9);
+    int coarser = 0;
+    for (double tolerance = 1e-3; tolerance < 0.1; tolerance *= 1.1) {
+        const Links coarse = look(tolerance);
+        for (std::size_t i = 0; i < fine.V.size(); ++i) {
+            if (fine.alpha[i] == 1) continue;
+            // Level floor: at 4 slices the totals are 4 exactly.
+            ASSERT_LE(coarse.alpha[i] - fine.alpha[i], tolerance) << "facet " << i;
+            coarser += coarse.alpha[i] > fine.alpha[i] + 1e-12;
+        }
+    }
+    EXPECT_GT(coarser, 0);
+}
+
+// A line that does not rise meets an endless field, however early it is given up: alpha is at
+// most the share of the hemisphere above the horizontal, Sum (1 - cos min(th_max, pi/2)) over
+// Sum (1 - cos th_max). On a nearly level field, at the coarsest tolerance, most downward looks
+// are given up before they meet anything; their share is stated.
+TEST(HorizonTolerance, GivesNothingBelowTheHorizontalToTheSky) {
+    const int slices = 16;
+    for (const Boundary boundary : {Boundary::kWrap, Boundary::kMirror}) {
+        for (const double amplitude : {0.03, 0.3, 3.0}) {
+            const HeightField field = RoughField(11, 9, amplitude, boundary);
+            const Links links = LinksBySlices(
+                field, {.slices = slices, .rotate = false, .horizon_tolerance_rad = 0.1});
+            double below_mean = 0;
+            for (std::int64_t i = 0; i < field.Facets(); ++i) {
+                const Vec3 n = FacetOf(field, i).normal;
+                double above = 0, all = 0;
+                for (int k = 0; k < slices; ++k) {
+                    const double phi = 2 * kPi * (k + 0.5) / slices;
+                    const double c = n.x() * std::cos(phi) + n.y() * std::sin(phi);
+                    const double th = kPi / 2 + std::atan2(c, n.z());
+                    above += 1 - std::cos(std::min(th, kPi / 2));
+                    all += 1 - std::cos(th);
+                }
+                ASSERT_LE(links.alpha[i], above / all + 1e-12) << "facet " << i;
+                below_mean += (1 - above / all) / double(field.Facets());
+            }
+            EXPECT_GE(links.mean_cut_short, 0);
+            if (amplitude < 0.1) {
+                EXPECT_GT(links.mean_cut_short, 0);
+                EXPECT_LT(links.mean_cut_short, below_mean);
             }
         }
     }

@@ -117,6 +117,45 @@ TEST(RunSeries, WaitsForLightThatComesLate) {
     EXPECT_EQ(series.largest_under_way, 0);
 }
 
+// At albedo 1 all that is under way arrives: the total is 1 wherever the series is cut, also
+// where nothing has moved yet (facet 0 of the same chain after one bounce).
+TEST(RunSeries, IsWhiteWhereverItIsCut) {
+    struct Maker {
+        FacetResult Make(std::int64_t i, LinkBlock& block) {
+            LinkRow row;
+            if (i < 3) row = {{std::uint32_t(i + 1), 1.0}};
+            return {1, AppendRow(row, block), 0};
+        }
+    };
+    const Links links = MakeLinks(
+        4, [] { return Maker(); }, SilentMonitor());
+    const Series series =
+        RunSeries(links, {.bounces = 0, .albedos = {1}, .max_bounces = 1}, kIgnore);
+    EXPECT_EQ(series.total[0], std::vector<float>(4, 1.0F));
+    EXPECT_FALSE(series.settled);
+}
+
+// Facets 1 and 2 are cavities of V = 0.2 and 0.8 on their own; facet 0, V = 1/2, sees both alike,
+// so its first two terms are those of a cavity of V = 1/2 and its closure does not move by the
+// second. It is none: E = 1/2 + rho/4 (0.2 / (1 - 0.8 rho) + 0.8 / (1 - 0.2 rho)).
+TEST(RunSeries, IsNotFooledByTwoTermsThatFit) {
+    struct Maker {
+        FacetResult Make(std::int64_t i, LinkBlock& block) {
+            LinkRow row = {{1, 0.25}, {2, 0.25}};
+            if (i == 1) row = {{1, 0.8}};
+            if (i == 2) row = {{2, 0.2}};
+            return {1, AppendRow(row, block), 0};
+        }
+    };
+    const Links links = MakeLinks(
+        3, [] { return Maker(); }, SilentMonitor());
+    const double rho = 0.9;
+    const Series series = RunSeries(links, {.bounces = 0, .albedos = {rho}}, kIgnore);
+    const double E = 0.5 + rho / 4 * (0.2 / (1 - 0.8 * rho) + 0.8 / (1 - 0.2 * rho));
+    // Later moves shrink by rho: 1e-5 rho / (1 - rho).
+    EXPECT_NEAR(series.total[0][0], E, 1e-4);
+}
+
 // A cone 18 wide and 90 deep: light that has gone far down comes back after tens of bounces.
 // Expected: what the Krylov solver says, itself good to its residual of 1e-10. Once the ratio q
 // of the closure has settled, no move of a total is larger than rho times the one before it: if

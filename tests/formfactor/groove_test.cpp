@@ -67,6 +67,53 @@ TEST(VGrooveLight, EveryFacetHasItsClosedForm) {
     }
 }
 
+// The same without any quadrature error: the sums over the very azimuths, worked out here from
+// the groove's cross-section. On its own side a facet sees all above its plane; on the other the
+// horizon is the crest, H up and D away. V = Sum G(th_horizon) / Sum G(th_plane),
+// alpha = Sum (1 - cos th_horizon) / Sum (1 - cos th_plane), with
+// G(th) = Int_0^th (c sin t + n_z cos t) sin t dt integrated by Simpson's rule (error below
+// 1e-12 at 400 steps).
+TEST(VGrooveLight, SlicesSumWhatTheySay) {
+    const auto G = [](double c, double n_z, double th) {
+        const int steps = 400;
+        double sum = 0;
+        for (int k = 0; k <= steps; ++k) {
+            const double t = th * k / steps;
+            const double f = (c * std::sin(t) + n_z * std::cos(t)) * std::sin(t);
+            sum += f * (k == 0 || k == steps ? 1 : k % 2 == 1 ? 4 : 2);
+        }
+        return sum * th / steps / 3;
+    };
+    for (const double opening : {30 * kDegree, 100 * kDegree}) {
+        const VGroove groove{.opening_rad = opening, .texels_per_face = 3, .rows = 2};
+        const HeightField field = MakeVGroove(groove);
+        for (const int slices : {4, 8, 32}) {  // None runs along the groove.
+            const Links links = LinksBySlices(field, {.slices = slices,
+                                                      .origins = Origins::kCentroid,
+                                                      .rotate = false,
+                                                      .horizon_tolerance_rad = 1e-9});
+            for (std::int64_t i = 0; i < field.Facets(); ++i) {
+                const Facet f = FacetOf(field, i);
+                const double s = FromApex(groove, f.CentroidM());
+                const double H = groove.DepthM() * (1 - s), D = groove.PeriodM() / 2 * (1 + s);
+                double cosine = 0, cosine_all = 0, solid = 0, solid_all = 0;
+                for (int k = 0; k < slices; ++k) {
+                    const double cos_phi = std::cos(2 * kPi * (k + 0.5) / slices);
+                    const double c = f.normal.x() * cos_phi, n_z = f.normal.z();
+                    const double plane = kPi / 2 + std::atan2(c, n_z);
+                    // Towards its normal a facet looks at the other face.
+                    const double horizon =
+                        c > 0 ? kPi / 2 - std::atan(H / D * std::abs(cos_phi)) : plane;
+                    cosine += G(c, n_z, horizon), cosine_all += G(c, n_z, plane);
+                    solid += 1 - std::cos(horizon), solid_all += 1 - std::cos(plane);
+                }
+                EXPECT_NEAR(links.V[i], cosine / cosine_all, 2 * kFloatRow + 1e-8);
+                EXPECT_NEAR(links.alpha[i], solid / solid_all, 1e-8);
+            }
+        }
+    }
+}
+
 // The apex is the limit in which a groove is an endless wedge.
 TEST(VGrooveLight, NearTheApexAGrooveIsAWedge) {
     const VGroove groove{.opening_rad = kPi / 3, .texels_per_face = 30, .rows = 2};

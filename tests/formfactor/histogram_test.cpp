@@ -124,6 +124,14 @@ TEST(Histogram, PutsAValueOnAnEdgeIntoTheBinItOpens) {
             const BounceBin& bin = builder.Result().bins[std::size_t(b)];
             EXPECT_EQ(bin.count, b == bins - 1 ? 2 : 1) << "bin " << b << " of " << bins;
         }
+        // And the last number below an edge to the bin that ends there.
+        std::vector<double> below;
+        for (int b = 1; b <= bins; ++b) below.push_back(std::nextafter(double(b) / bins, 0.0));
+        const HistogramBuilder ends("ends", kByAlpha, bins, below, below);
+        for (int b = 0; b < bins; ++b) {
+            EXPECT_EQ(ends.Result().bins[std::size_t(b)].count, 1)
+                << "bin " << b << " of " << bins;
+        }
     }
 }
 

@@ -38,7 +38,8 @@ void FitCurves(const std::function<std::vector<Sample>(int k)>& samples_of, int 
     const std::vector<Sample> first = samples_of(1);
     report.curves.push_back(Curve("F1", 1, ModelOf<FirstBounceModel>(), first, options, F1));
     report.curves.push_back(
-        Curve("F1, free exponents", 1, ModelOf<FreeFirstBounceModel>(), first, options, F1));
+        Curve("F1, free exponents", 1, ModelOf<FreeFirstBounceModel>(), first, options,
+              AtInitialValues(ModelOf<FreeFirstBounceModel>(), "F1, published")));
     for (int k = 1; k <= std::min(bounces, kMayaux18Bounces); ++k) {
         report.bounce_family.push_back(Curve("E_" + std::to_string(k), k,
                                              ModelOf<BounceCurveModel>(), samples_of(k),

@@ -9,6 +9,9 @@
 namespace plumb {
 namespace {
 
+// Bins along a side of the grid whose spread is the floor of both visibilities.
+constexpr int kFloorGridSide = 100;
+
 double FloorOver(const BounceHistogram& histogram) {
     double sum = 0;
     for (std::size_t r = 0; r < histogram.albedos.size(); ++r) {
@@ -51,7 +54,13 @@ double FacetRms(const Formula& formula, const SurfaceLight& light) {
 }
 
 Floors FloorsOf(const SurfaceLight& light) {
-    return {FloorOver(light.over_alpha), FloorOver(light.over_V), FloorOver(light.over_both)};
+    // The grid of the fits is too coarse to be a floor: its bins are wider than a histogram's.
+    HistogramBuilder both(light.name, BinnedBy::kBothVisibilities, kFloorGridSide, light.alpha,
+                          light.V);
+    for (std::size_t r = 0; r < light.albedos.size(); ++r) {
+        both.AddTotal(light.albedos[r], light.total[r]);
+    }
+    return {FloorOver(light.over_alpha), FloorOver(light.over_V), FloorOver(both.Result())};
 }
 
 }  // namespace plumb

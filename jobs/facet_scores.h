@@ -22,7 +22,8 @@ inline constexpr std::int64_t kScoredFacets = 65537;
 /// rms of the header. Cost: one evaluation a scored facet and albedo.
 double FacetRms(const Formula& formula, const SurfaceLight& light);
 
-/// The floors of alpha, of V and of both, from the histograms of the simulation.
+/// The floors of alpha and of V, from the histograms of the simulation, and of both, from a grid of
+/// 100 x 100.
 Floors FloorsOf(const SurfaceLight& light);
 
 }  // namespace plumb

@@ -105,9 +105,10 @@ struct FitReport {
     Timings timings;
 };
 
-/// Throws Error, naming the field, if the parts disagree: provenance, scores or floors of
-/// another number of maps, a recommended or published name that is no record, a total fit of no
-/// record.
+/// Throws Error, naming the field, if the parts disagree: published constants of a curve of
+/// another number than the fitted ones; and, unless the report is of curves alone (no map and
+/// no formula), provenance, scores or floors of another number of maps, a recommended or
+/// published name that is no record, a total fit of no record.
 void Validate(const FitReport& report);
 
 /// Everything but the pictures.

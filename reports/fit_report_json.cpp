@@ -152,6 +152,13 @@ void MustHave(const std::string& field, std::size_t size, std::size_t maps) {
 }  // namespace
 
 void Validate(const FitReport& report) {
+    for (const CurveFit& curve : report.curves) {
+        if (curve.published && curve.published->values.size() != curve.fitted.values.size())
+            throw Error("FitReport::curves[" + curve.title +
+                        "].published must have a constant for each of fitted");
+    }
+    // Curves measured elsewhere: no surface of ours, no total.
+    if (report.maps.empty() && report.formulas.empty()) return;
     const std::size_t maps = report.maps.size();
     MustHave("provenance.maps", report.provenance.maps.size(), maps);
     if (!report.floors.empty()) MustHave("floors", report.floors.size(), maps);

@@ -74,10 +74,10 @@ class Walker {
             nets_.push_back(NetSeed(sampling.seed, number, r));
             for (std::int64_t s = 0; s < sampling.points; ++s) {
                 const std::uint32_t index = std::uint32_t(sampling.first + s);
-                const Vec2 b = receiver.Place(SobolOwenPair(index, 0, nets_.back()));
+                const Vec2 b = receiver.Place(SobolOwenPair(index, kPlace, nets_.back()));
                 walks_.push_back({r, index, receiver.triangle, b, frame.n});
                 rays_.push_back(LeaveSurface(triangle, b.x(), b.y(), frame.n));
-                rays_.back().direction = Direction(frame, walks_.back(), 1);
+                rays_.back().direction = Direction(frame, walks_.back(), kFirstDirection);
             }
         }
     }
@@ -134,7 +134,7 @@ class Walker {
         walk.b = {hit.b_1, hit.b_2};
         walk.n = from_front ? front : Vec3(-front);
         ray = LeaveSurface(triangle, hit.b_1, hit.b_2, walk.n);
-        ray.direction = Direction(Basis(walk.n), walk, std::uint32_t(k) + 2);
+        ray.direction = Direction(Basis(walk.n), walk, kLaterDirections + std::uint32_t(k));
         return End::kGoesOn;
     }
 

@@ -68,10 +68,11 @@ NearSums MeasureNear(const RayCaster& caster, const Mesh& mesh,
                     for (std::size_t s = 0; s < n; ++s) {
                         const std::uint32_t index =
                             std::uint32_t(sampling.first + std::int64_t(s));
-                        const Vec2 b = receivers[i].Place(SobolOwenPair(index, 0, net));
+                        const Vec2 b = receivers[i].Place(SobolOwenPair(index, kPlace, net));
                         rays[s] = LeaveSurface(triangle, b.x(), b.y(), frame.n);
                         rays[s].far = float(options.reach_m);
-                        const Vec3 w = SampleCosineHemisphere(SobolOwenPair(index, 1, net));
+                        const Vec3 w =
+                            SampleCosineHemisphere(SobolOwenPair(index, kFirstDirection, net));
                         rays[s].direction = frame.ToWorld(w).cast<float>();
                     }
                     caster.Closest(rays, hits);

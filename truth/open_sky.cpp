@@ -35,13 +35,14 @@ class Counter {
             const std::uint64_t net = NetSeed(sampling.seed, number, r);
             for (std::size_t s = 0; s < n; ++s, ++next) {
                 const std::uint32_t index = std::uint32_t(sampling.first + std::int64_t(s));
-                const Vec2 u = SobolOwenPair(index, 1, net);
+                const Vec2 u = SobolOwenPair(index, kFirstDirection, net);
                 const Vec3 w = options_.weighting == Weighting::kCosine
                                    ? SampleCosineHemisphere(u)
                                    : SampleUniformHemisphere(u);
                 directions_[next] = frame.ToWorld(w).cast<float>();
                 if (!receiver.spread) continue;
-                rays_[next] = Start(triangle, receiver, frame, SobolOwenPair(index, 0, net));
+                rays_[next] =
+                    Start(triangle, receiver, frame, SobolOwenPair(index, kPlace, net));
                 rays_[next].direction = directions_[next];
             }
         }

@@ -35,6 +35,10 @@ struct Sampling {
 /// Throws Error, naming field, value and rule.
 void Validate(const Sampling& sampling);
 
+/// Which pair of a net's dimensions serves what: the first is the evenest, and the first direction
+/// has the edges.
+inline constexpr std::uint32_t kFirstDirection = 0, kPlace = 1, kLaterDirections = 2;
+
 /// The seed of one net of one receiver.
 std::uint64_t NetSeed(std::uint64_t seed, std::int64_t receiver, int replicate);
 

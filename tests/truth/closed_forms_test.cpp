@@ -85,13 +85,15 @@ TEST(ClosedForms, APlaneSeesAllOfTheSkyExactly) {
 // Expected: of a floor and a wall that meet at the angle beta and never end, every point sees
 // the same: V = (1 - cos beta) / 2, alpha = beta / pi (both of the cross-section's open angle),
 // and with F = 1 - V the light of all bounces is V / (1 - rho F), p_k = V F^k.
-// Slack: they end 1e5 times as far from the corner as the receiver, which opens 1e-10.
+// Slack: they end at H = 1e8. A point at r from the corner sees r / (2 H) too much of the sky; a
+// walk's next r has a density that falls with 1 / r^2, so its mean is r log(H / r): 20 r, and
+// 4e-7 for each bounce from r = 4. (With H = 1e5 the test fails by 40 standard errors.)
 TEST(ClosedForms, Wedge) {
     for (const double beta_deg : {60.0, 90.0, 120.0}) {
         const double beta = beta_deg * kPi / 180;
         Mesh mesh;
-        const std::vector<double> out = GrowingStepsUp(1e-4, 1e5, 4);
-        const std::vector<double> along = GrowingSteps(0.5, 1e5, 4);
+        const std::vector<double> out = GrowingStepsUp(1e-4, 1e8, 4);
+        const std::vector<double> along = GrowingSteps(0.5, 1e8, 4);
         // The step from 1.6384 to 6.5536 and from y = 0 to 0.5.
         const std::uint32_t step = 8, middle = std::uint32_t(along.size() / 2);
         const std::uint32_t floor =
@@ -107,15 +109,15 @@ TEST(ClosedForms, Wedge) {
             const std::string what =
                 (face == on_floor ? "floor " : "wall ") + std::to_string(beta_deg);
             const Receiver receiver{.triangle = 2 * face, .spread = false};
-            ExpectMeasured(bench.V(receiver), V, 1e-9, what + " V");
-            ExpectMeasured(bench.Alpha(receiver), beta / kPi, 1e-9, what + " alpha");
+            ExpectMeasured(bench.V(receiver), V, 1e-6, what + " V");
+            ExpectMeasured(bench.Alpha(receiver), beta / kPi, 1e-6, what + " alpha");
             const EscapeCounts walks = bench.Walks(receiver, 60);
             EXPECT_EQ(walks.lost.All(), 0);
             for (const int k : {0, 1, 2, 5}) {
-                ExpectMeasured(walks.Bounce(0, k), V * std::pow(F, k), 1e-9, what + " p_k");
+                ExpectMeasured(walks.Bounce(0, k), V * std::pow(F, k), 1e-6, what + " p_k");
             }
             for (const double rho : {0.5, 0.8, 0.9}) {
-                ExpectMeasured(walks.Total(0, Albedo(rho)), V / (1 - rho * F), 1e-6,
+                ExpectMeasured(walks.Total(0, Albedo(rho)), V / (1 - rho * F), 4e-6,
                                what + " E at " + std::to_string(rho));
             }
         }
@@ -347,7 +349,7 @@ TEST(ClosedForms, AFurnaceOnANoisyFieldMissesNothing) {
     constexpr int kCells = 128;
     constexpr double kHeight = 0.04;  // Five cells: slopes up to 79 degrees.
     for (const bool far_off : {false, true}) {
-        const Vec3 shift = far_off ? Vec3(400, 300, 0) : Vec3(0, 0, 0);
+        const Vec3 shift = far_off ? Vec3(2000, 1500, 0) : Vec3(0, 0, 0);
         Mesh mesh;
         AddSheet(mesh, Steps(0, 1, kCells), Steps(0, 1, kCells), [&](double u, double v) {
             const int i = int(std::lround(u * kCells)), j = int(std::lround(v * kCells));

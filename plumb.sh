@@ -60,7 +60,8 @@ demo() {
   build release plumb
   cd "$here"
   build/release/app/plumb fit data/heightmaps/*.png \
-    make:gravel:192 make:hex_tiles:192 make:shapes:192 make:terrain:192 --out out/demo
+    make:gravel:128 make:hex_tiles:128 make:shapes:128 make:terrain:128 \
+    --slices 16 --starts 4 --bootstrap 20 --out out/demo
   say "open out/demo/report.html in a browser; the shader headers are beside it"
 }
 

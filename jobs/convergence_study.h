@@ -9,9 +9,9 @@
 namespace plumb {
 
 struct ConvergenceSettings {
-    std::vector<int> slices = {4, 8, 16, 32, 64};
-    std::vector<int> rays = {16, 64, 256, 1024};
-    int reference_slices = 512;  ///< With another seed than those that are judged.
+    std::vector<int> slices = {4, 8, 16, 32};
+    std::vector<int> rays = {16, 64, 256};
+    int reference_slices = 256;  ///< With another seed than those that are judged.
     int runs = 3;                ///< Of each; the median time counts. [1, ...)
 };
 

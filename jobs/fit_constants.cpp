@@ -25,7 +25,7 @@ namespace plumb {
 namespace {
 
 // The pieces that the studies of one map work on: large enough for all bins to be met.
-constexpr int kConvergenceTexels = 64, kAmplitudeTexels = 96;
+constexpr int kConvergenceTexels = 64, kAmplitudeTexels = 64;
 
 // Fits of a fold start where theory starts them, and from one more point.
 constexpr int kFoldStarts = 2;

@@ -102,9 +102,9 @@ void WriteConstantsCsv(std::ostream& out, const FitReport& report) {
 
 void WriteTable(std::ostream& out, const FitReport& report) {
     Validate(report);
-    out << "Constants, fitted to " << report.maps.size()
-        << (report.maps.size() == 1 ? " map" : " maps") << "\n\n"
-        << Left("fit", 30) << Left("constant", 10) << Right("value", 22)
+    const std::size_t sources = report.provenance.maps.size();
+    out << "Constants, fitted to " << sources << (sources == 1 ? " map" : " maps") << "\n\n"
+        << Left("fit", 36) << Left("constant", 10) << Right("value", 22)
         << Right("interval (maps)", 20) << Right("published", 12) << '\n';
     for (const FitLine& line : AllFits(report)) {
         const bool of_family =
@@ -115,7 +115,7 @@ void WriteTable(std::ostream& out, const FitReport& report) {
         for (const FittedParameter& parameter : line.fit.parameters) {
             const BootstrapInterval* interval = IntervalOf(line.bootstrap, parameter.name);
             const double published = PublishedValue(line.published, parameter.name);
-            out << Left(name, 30) << Left(parameter.name, 10)
+            out << Left(name, 36) << Left(parameter.name, 10)
                 << Right(WithError(parameter.value, parameter.standard_error.value_or(0)) +
                              (parameter.at_bound ? " (at bound)" : ""),
                          22)
@@ -127,9 +127,14 @@ void WriteTable(std::ostream& out, const FitReport& report) {
                 << '\n';
             name.clear();
         }
+        out << Left("", 36) << "RMS " << Digits(line.fit.rmse, 4);
+        if (std::isfinite(line.published_rms))
+            out << ", with the published constants " << Digits(line.published_rms, 4);
+        out << '\n';
         if (!line.fit.converged) out << "  did not converge: " << line.fit.termination << '\n';
     }
 
+    if (report.formulas.empty()) return;
     out << "\nError of E(rho), mean over the maps [-]\n\n"
         << Left("formula", 38) << Left("from", 10) << Right("RMS", 9) << Right("max", 9)
         << Right("held out", 10) << Right("facets", 9) << Right("poles", 7) << '\n';

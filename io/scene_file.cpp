@@ -1,0 +1,189 @@
+#include "io/scene_file.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/conventions.h"
+#include "core/error.h"
+#include "io/json_file.h"
+#include "io/mesh_io.h"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr NumberRule kFieldOfView{"in (0, 180)", [](double x) { return 0 < x && x < 180; }};
+constexpr NumberRule kPixels{"a whole number in [1, 65536]", [](double x) {
+                                 return 1 <= x && x <= 65536 && x == std::floor(x);
+                             }};
+
+class Reader {
+  public:
+    explicit Reader(const std::filesystem::path& path)
+        : path_(path), file_(path.filename().string()) {}
+
+    SceneFile Read() {
+        const Json json = ReadJsonFile(path_);
+        out_.files.push_back(path_);
+        out_.scene.name = path_.stem().string();
+        JsonFields fields(json, file_);
+        if (const auto name = fields.Text("name")) out_.scene.name = *name;
+        ReadSurfaces(fields);
+        ReadLight(fields);
+        if (fields.IsList("cameras")) {
+            out_.has_cameras = true;
+            ReadEach(fields, "cameras", [&](JsonFields& camera) { ReadCamera(camera); });
+        }
+        fields.Finish();
+        return std::move(out_);
+    }
+
+  private:
+    template <class F>
+    void ReadEach(JsonFields& fields, const char* list, const F& read) {
+        std::size_t i = 0;
+        for (const Json& item : fields.NeedList(list)) {
+            JsonFields of_item(item, file_,
+                               std::string(list) + "[" + std::to_string(i++) + "]");
+            read(of_item);
+            of_item.Finish();
+        }
+    }
+
+    static std::vector<double> Three(const JsonFields& fields, const char* field,
+                                     std::vector<double> numbers) {
+        if (numbers.size() != 3) {
+            throw Error(fields.NameOf(field) + " has " + std::to_string(numbers.size()) +
+                        " numbers, must have 3");
+        }
+        return numbers;
+    }
+
+    static Vec3 NeedVector(JsonFields& fields, const char* field) {
+        const auto x = Three(fields, field, fields.NeedNumbers(field, kFinite));
+        return {x[0], x[1], x[2]};
+    }
+
+    static std::optional<Rgb> Colour(JsonFields& fields, const char* field,
+                                     const NumberRule& rule) {
+        const auto numbers = fields.Numbers(field, rule);
+        if (!numbers) return std::nullopt;
+        const auto x = Three(fields, field, *numbers);
+        return Rgb{float(x[0]), float(x[1]), float(x[2])};
+    }
+
+    static Rgb NeedColour(JsonFields& fields, const char* field) {
+        const auto x = Three(fields, field, fields.NeedNumbers(field, kNotNegative));
+        return {float(x[0]), float(x[1]), float(x[2])};
+    }
+
+    void ReadSurfaces(JsonFields& fields) {
+        const auto generator = fields.Text("generator");
+        const bool meshes = fields.IsList("meshes");
+        if (generator.has_value() == meshes) {
+            throw Error(file_ + ": must have either generator or meshes");
+        }
+        if (generator) {
+            out_.generator = *generator;
+        } else {
+            ReadEach(fields, "meshes", [&](JsonFields& mesh) { ReadMeshEntry(mesh); });
+            if (out_.scene.mesh.quads.empty()) throw Error(file_ + ": meshes is empty");
+        }
+    }
+
+    void ReadMeshEntry(JsonFields& fields) {
+        const std::filesystem::path mesh_path = path_.parent_path() / fields.NeedText("file");
+        MeshFileOptions options;
+        if (const auto unit_m = fields.Number("unit_m", kPositive)) options.unit_m = *unit_m;
+        if (const auto up = fields.OneOf("up", {"x", "y", "z"})) {
+            options.up = *up == "x" ? UpAxis::kX : *up == "y" ? UpAxis::kY : UpAxis::kZ;
+        }
+        const std::optional<Rgb> albedo = Colour(fields, "albedo", kShare);
+        MeshFile read = ReadMesh(mesh_path, options);
+        out_.files.push_back(mesh_path);
+        Append(std::move(read), albedo);
+    }
+
+    void Append(MeshFile read, const std::optional<Rgb>& albedo) {
+        Scene& scene = out_.scene;
+        const std::size_t vertex = scene.mesh.vertices_m.size();
+        const std::size_t material = scene.materials.size();
+        if (vertex + read.mesh.vertices_m.size() > 0xffffffffu ||
+            material + read.materials.size() > 0xffffu) {
+            throw Error(file_ + ": more than 2^32 vertices or 65535 materials in all");
+        }
+        for (std::array<std::uint32_t, 4>& q : read.mesh.quads) {
+            for (std::uint32_t& corner : q) corner += std::uint32_t(vertex);
+        }
+        for (std::uint16_t& m : read.material_of_face) m = std::uint16_t(m + material);
+        for (Material& m : read.materials) {
+            if (albedo) m.albedo = *albedo;
+        }
+        const auto append = [](auto& to, const auto& from) {
+            to.insert(to.end(), from.begin(), from.end());
+        };
+        append(scene.mesh.vertices_m, read.mesh.vertices_m);
+        append(scene.mesh.quads, read.mesh.quads);
+        append(scene.material_of_face, read.material_of_face);
+        append(scene.materials, read.materials);
+        append(out_.notes, read.notes);
+    }
+
+    void ReadLight(JsonFields& fields) {
+        SceneLight& light = out_.scene.light;
+        if (const auto sky = Colour(fields, "sky", kNotNegative)) {
+            light.sky = *sky;
+            out_.has_light = true;
+        }
+        if (fields.IsList("directional_lights")) {
+            out_.has_light = true;
+            ReadEach(fields, "directional_lights", [&](JsonFields& of) {
+                const Vec3 towards = NeedVector(of, "towards");
+                if (!(towards.norm() > 0)) {
+                    throw Error(of.NameOf("towards") + " has no length, must have one");
+                }
+                light.directional.push_back(
+                    {.towards = towards, .irradiance = NeedColour(of, "irradiance")});
+            });
+        }
+        if (fields.IsList("point_lights")) {
+            out_.has_light = true;
+            ReadEach(fields, "point_lights", [&](JsonFields& of) {
+                const Vec3 position_m = NeedVector(of, "position_m");
+                light.points.push_back(
+                    {.position_m = position_m, .intensity = NeedColour(of, "intensity")});
+            });
+        }
+    }
+
+    void ReadCamera(JsonFields& fields) {
+        Camera camera;
+        camera.name = "camera_" + std::to_string(out_.scene.cameras.size());
+        if (const auto name = fields.Text("name")) camera.name = *name;
+        camera.position_m = NeedVector(fields, "position_m");
+        camera.target_m = NeedVector(fields, "target_m");
+        if (const auto up = fields.Numbers("up", kFinite)) {
+            const auto x = Three(fields, "up", *up);
+            camera.up = {x[0], x[1], x[2]};
+        }
+        camera.fov_rad = fields.NeedNumber("fov_deg", kFieldOfView) * kPi / 180;
+        if (const auto w = fields.Number("width_px", kPixels)) camera.width_px = int(*w);
+        if (const auto h = fields.Number("height_px", kPixels)) camera.height_px = int(*h);
+        Validate(camera,
+                 file_ + ": cameras[" + std::to_string(out_.scene.cameras.size()) + "]");
+        out_.scene.cameras.push_back(camera);
+    }
+
+    std::filesystem::path path_;
+    std::string file_;
+    SceneFile out_;
+};
+
+}  // namespace
+
+SceneFile ReadSceneFile(const std::filesystem::path& path) {
+    return Reader(path).Read();
+}
+
+}  // namespace plumb

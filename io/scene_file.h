@@ -1,0 +1,30 @@
+// scene.json: a scene described by its meshes or a generator, light and cameras.
+//
+// docs/scenes.md explains every field. Reading is strict: a field that does not exist, is of the
+// wrong type or out of its range is an error that names it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace plumb {
+
+/// What the file says. If it names a generator, `scene` has no surfaces yet, and what is unset
+/// is left to the generator.
+struct SceneFile {
+    Scene scene;
+    std::string generator;  ///< Of scenes/catalogue.h; empty if there are mesh files.
+    bool has_light = false;
+    bool has_cameras = false;
+    std::vector<std::filesystem::path> files;  ///< That it was read from, itself first.
+    std::vector<std::string> notes;            ///< What was left out of them.
+};
+
+/// Paths in the file are relative to its folder. Throws Error naming file, field, value, rule.
+SceneFile ReadSceneFile(const std::filesystem::path& path);
+
+}  // namespace plumb

@@ -129,15 +129,13 @@ class SliceRow {
         Slice out{CosineBelow(plane, c, n_z), 1 - plane.cos, 0, 0};
         double below = out.cosine_all;  // G at the horizon so far.
         const std::size_t begin = stretches_.size();
-        const double headroom_m = grid_.HighestM() - x.z();
-        const double tolerance = options_.horizon_tolerance_rad;
         const WalkGrid::Start start{facet,
                                     x.x() - 0.5 * field_.SpacingXM(),
                                     x.y() - 0.5 * field_.SpacingYM(),
                                     x.z(),
                                     cos_phi,
                                     sin_phi};
-        grid_.Walk(start, horizon, far_m_,
+        grid_.Walk(start, horizon, far_m_, options_.horizon_tolerance_rad,
                    [&](std::int64_t crossed, double t_m, double rise_m, double& slope) {
                        // Level with the horizon up to rounding: facets of one plane do not
                        // see each other.
@@ -149,11 +147,7 @@ class SliceRow {
                        const double weight = below - next;
                        below = next;
                        if (weight > 0) stretches_.push_back({std::uint32_t(crossed), weight});
-                       // Nothing ahead rises above headroom / t: is the rest thinner than
-                       // the tolerance? A slope's angle changes by 1 / (1 + m^2), which on
-                       // the way up from below the horizontal is 1 at most.
-                       const double above = std::max(slope, 0.0);
-                       return headroom_m > (slope + tolerance * (1 + above * above)) * t_m;
+                       return true;
                    });
         Zenith last(horizon);
         if (field_.GetBoundary() != Boundary::kOpen && horizon < 0) {

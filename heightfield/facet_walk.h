@@ -63,9 +63,13 @@ class WalkGrid {
     ///
     /// with the facet just crossed, the distance and the surface's height above the start;
     /// visit may raise the slope (a new horizon) and returns false to stop. Crossings in
-    /// blocks below the line of sight are left out: there rise < slope * t.
+    /// blocks below the line of sight are left out: there rise < slope * t. Ends once all that the
+    /// surface can still rise above the line of sight is thinner than `tolerance_rad`, seen from
+    /// the start: 0 for a ray, which must know. A slope's angle changes by 1 / (1 + m^2), which on
+    /// the way up from below the horizontal is 1 at most.
     template <class Visitor>
-    End Walk(const Start& start, double slope, double max_distance_m, Visitor&& visit) const;
+    End Walk(const Start& start, double slope, double max_distance_m, double tolerance_rad,
+             Visitor&& visit) const;
 
     double HighestM() const { return highest_m_; }
 
@@ -97,7 +101,7 @@ class WalkGrid {
 
 template <class Visitor>
 WalkGrid::End WalkGrid::Walk(const Start& start, double slope, double max_distance_m,
-                             Visitor&& visit) const {
+                             double tolerance_rad, Visitor&& visit) const {
     constexpr double kInf = std::numeric_limits<double>::infinity();
     const std::int64_t cell = start.facet / 2;
     int i = int(cell % cells_x_), j = int(cell / cells_x_), upper = int(start.facet % 2);
@@ -112,6 +116,11 @@ WalkGrid::End WalkGrid::Walk(const Start& start, double slope, double max_distan
     double per_u = 1 / du, per_v = 1 / dv, per_w = 1 / (du - dv);
     double t = 0;
     bool first = true;  // The starting facet lies in its own plane: it hides nothing.
+    const double headroom_m = highest_m_ - start.z_m;
+    const auto slack = [tolerance_rad](double m) {
+        const double above = std::max(m, 0.0);
+        return tolerance_rad * (1 + above * above);
+    };
     const int top = int(levels_.size()) - 1;
     int level = 0;  // Goes up after a success, down after a failure.
 
@@ -143,7 +152,7 @@ WalkGrid::End WalkGrid::Walk(const Start& start, double slope, double max_distan
                 upper = dv > 0 ? 0 : 1;
             }
             if (unsigned(i) >= unsigned(cells_x_) || unsigned(j) >= unsigned(cells_y_)) break;
-            if (slope >= 0 && highest_m_ - start.z_m <= slope * t) return End::kSky;
+            if (headroom_m <= (slope + slack(slope)) * t) return End::kSky;
             // A larger block is worth a try only where one begins.
             if (level < top && (((i ^ i_before) | (j ^ j_before)) >> levels_[level + 1].bits)) {
                 ++level;
@@ -237,7 +246,7 @@ WalkGrid::End WalkGrid::Walk(const Start& start, double slope, double max_distan
                 per_w = 1 / (du - dv);
             }
         }
-        if (highest_m_ - start.z_m <= slope * t && slope >= 0) return End::kSky;
+        if (headroom_m <= (slope + slack(slope)) * t) return End::kSky;
         if (t > max_distance_m) return End::kTooFar;
     }
 }

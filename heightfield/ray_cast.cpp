@@ -19,7 +19,7 @@ std::int64_t CastFromFacet(const WalkGrid& grid, std::int64_t facet, const Vec3&
                                 origin_m.z(), direction.x() / level, direction.y() / level};
     std::int64_t hit = kSky;
     const WalkGrid::End end =
-        grid.Walk(start, direction.z() / level, max_distance_m,
+        grid.Walk(start, direction.z() / level, max_distance_m, 0,
                   [&hit](std::int64_t crossed, double t_m, double rise_m, double slope) {
                       if (rise_m < slope * t_m) return true;
                       hit = crossed;

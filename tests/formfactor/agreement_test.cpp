@@ -212,7 +212,7 @@ TEST(Thinning, KeepsEachFacetInProportion) {
     const HeightField field = RoughField(9, 8, 8);
     const std::int64_t facet = 70;
     std::vector<Moments> apart(std::size_t(field.Facets()));
-    std::vector<int> seen(apart.size());
+    std::vector<int> kept(apart.size());
     for (std::uint64_t seed = 1; seed <= 600; ++seed) {
         // Only the one facet's row is looked at, but links are made of all.
         const SliceOptions full{.slices = 4, .seed = seed, .links_per_slice = 1 << 20};
@@ -223,17 +223,17 @@ TEST(Thinning, KeepsEachFacetInProportion) {
         for (const auto& [j, F] : RowOf(LinksBySlices(field, full), facet)) difference[j] -= F;
         for (std::size_t j = 0; j < apart.size(); ++j) {
             apart[j].Add(difference[j]);
-            seen[j] += difference[j] != 0;
+            kept[j] += difference[j] > 0;
         }
     }
     int compared = 0;
     for (std::size_t j = 0; j < apart.size(); ++j) {
-        // A facet that is rarely seen has no normal mean yet.
-        if (seen[j] < 60) continue;
+        // A facet that was rarely kept for a run has no normal mean yet.
+        if (kept[j] < 25) continue;
         ++compared;
         EXPECT_LE(Excess(apart[j], 0, kFloatRow), 1) << "facet " << j;
     }
-    EXPECT_GE(compared, 10);
+    EXPECT_GE(compared, 8);
 }
 
 // Expected: what is left of a slice is thinner than the tolerance, so a slice's share of solid

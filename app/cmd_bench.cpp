@@ -5,12 +5,11 @@
 
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/command.h"
-#include "io/json_file.h"
 #include "jobs/bench_light.h"
+#include "jobs/write_results.h"
 
 namespace plumb::app {
 namespace {
@@ -31,9 +30,9 @@ void Run(const Options& o) {
     const auto monitor = MakeMonitor(o.common);
     const LightBench bench =
         BenchLight(LoadSurface(o.map), o.settings, NowS, PeakMemoryBytes, *monitor);
-    WriteJsonFile(o.common.out / "bench_light.json", ToJson(bench));
+    WriteBenchResults(o.common.out, bench);
     if (o.common.json) {
-        std::cout << ToJson(bench).dump(2) << "\n";
+        std::cout << ToJsonText(bench);
     } else if (!o.common.quiet) {
         WriteTable(std::cout, bench);
     }

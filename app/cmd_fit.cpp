@@ -3,7 +3,6 @@
 // Options -> struct -> call -> print.
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -34,7 +33,7 @@ void FitMeasured(const Options& o) {
         FitMeasuredCurves(o.histogram, options, PLUMB_VERSION, CommandLine());
     WriteCurveResults(o.common.out, report);
     if (o.common.json) {
-        std::cout << ToJson(report).dump(2) << "\n";
+        std::cout << ToJsonText(report);
     } else if (!o.common.quiet) {
         WriteTable(std::cout, report);
     }
@@ -61,7 +60,7 @@ void Run(const CLI::App& command, const Options& o) {
     }
     const std::filesystem::path page = WriteFitResults(o.common.out, result.report);
     if (o.common.json) {
-        std::cout << ToJson(result.report).dump(2) << "\n";
+        std::cout << ToJsonText(result.report);
     } else if (!o.common.quiet) {
         WriteTable(std::cout, result.report);
         std::cout << "\nReport: " << page.string() << "\n";

@@ -3,7 +3,6 @@
 // Options -> struct -> call -> print.
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -35,7 +34,7 @@ void Run(const CLI::App& command, const Options& o) {
     const SimulateResult result =
         Simulate(surface, job, o.common.out, PLUMB_VERSION, CommandLine(), NowS, *monitor);
     if (o.common.json) {
-        std::cout << ToJson(result.report).dump(2) << "\n";
+        std::cout << ToJsonText(result.report);
     } else if (!o.common.quiet) {
         WriteTable(std::cout, result.report);
         std::cout << "\nReport: " << result.page.string() << "\n";

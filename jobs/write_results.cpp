@@ -1,14 +1,12 @@
 #include "jobs/write_results.h"
 
 #include <cctype>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
 
 #include "io/data_uri.h"
 #include "io/histogram_io.h"
 #include "io/image_io.h"
-#include "io/json_file.h"
 #include "io/whole_file.h"
 #include "jobs/fit_constants.h"
 #include "jobs/pictures.h"
@@ -57,7 +55,7 @@ std::filesystem::path WriteFitResults(const std::filesystem::path& folder,
                                       const FitReport& report) {
     const std::filesystem::path page = folder / "report.html";
     WriteWholeFile(page, ToHtml(report));
-    WriteJsonFile(folder / "report.json", ToJson(report));
+    WriteWholeFile(folder / "report.json", ToJsonText(report));
     WriteText(folder / "scores.csv", [&](std::ostream& out) { WriteScoresCsv(out, report); });
     WriteText(folder / "constants.csv",
               [&](std::ostream& out) { WriteConstantsCsv(out, report); });
@@ -71,7 +69,7 @@ std::filesystem::path WriteFitResults(const std::filesystem::path& folder,
 }
 
 void WriteCurveResults(const std::filesystem::path& folder, const FitReport& report) {
-    WriteJsonFile(folder / "curves.json", ToJson(report));
+    WriteWholeFile(folder / "curves.json", ToJsonText(report));
     WriteText(folder / "constants.csv",
               [&](std::ostream& out) { WriteConstantsCsv(out, report); });
 }
@@ -80,7 +78,7 @@ std::filesystem::path WriteSimulateResults(const std::filesystem::path& folder,
                                            const SimulateReport& report) {
     const std::filesystem::path page = folder / "report.html";
     WriteWholeFile(page, ToHtml(report));
-    WriteJsonFile(folder / "report.json", ToJson(report));
+    WriteWholeFile(folder / "report.json", ToJsonText(report));
     const SurfaceReport& surface = report.surface;
     for (const auto& [name, histogram] : {std::pair{"histogram_alpha", &surface.over_alpha},
                                           std::pair{"histogram_v", &surface.over_V}}) {
@@ -111,6 +109,10 @@ void WriteLightMaps(const std::filesystem::path& folder, const Surface& surface,
     }
     WriteExr(folder / "light.exr", channels,
              {{"map", surface.source.name}, {"sha256", surface.source.sha256}});
+}
+
+void WriteBenchResults(const std::filesystem::path& folder, const LightBench& bench) {
+    WriteWholeFile(folder / "bench_light.json", ToJsonText(bench));
 }
 
 }  // namespace plumb

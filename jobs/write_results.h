@@ -9,6 +9,7 @@
 #include "heightfield/height_field.h"
 #include "jobs/simulate_surface.h"
 #include "jobs/surface.h"
+#include "reports/bench_report.h"
 #include "reports/fit_report.h"
 #include "reports/simulate_report.h"
 
@@ -30,6 +31,9 @@ void WriteCurveResults(const std::filesystem::path& folder, const FitReport& rep
 /// page's path.
 std::filesystem::path WriteSimulateResults(const std::filesystem::path& folder,
                                            const SimulateReport& report);
+
+/// bench_light.json.
+void WriteBenchResults(const std::filesystem::path& folder, const LightBench& bench);
 
 /// Maps of the light, one pixel a cell (the mean of its two facets): light.exr with the
 /// channels height_m, alpha, V, E_0 ... E_K and E(rho) of each albedo.

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "reports/json_text.h"
+
 namespace plumb {
 namespace {
 
@@ -79,6 +81,10 @@ void WriteTable(std::ostream& out, const LightBench& b) {
         out << Line("  %-7s %7d %10.3f %17.5f %11.5f\n", p.method.c_str(), p.per_facet,
                     p.seconds, p.rms_V, p.rms_E_half);
     }
+}
+
+std::string ToJsonText(const LightBench& report) {
+    return JsonText(ToJson(report));
 }
 
 }  // namespace plumb

@@ -52,6 +52,9 @@ struct LightBench {
 };
 
 nlohmann::ordered_json ToJson(const LightBench& bench);
+
+/// The same as the text of a file; see reports/json_text.h.
+std::string ToJsonText(const LightBench& report);
 void WriteTable(std::ostream& out, const LightBench& bench);
 
 }  // namespace plumb

@@ -114,6 +114,9 @@ void Validate(const FitReport& report);
 /// Everything but the pictures.
 nlohmann::ordered_json ToJson(const FitReport& report);
 
+/// The same as the text of a file; see reports/json_text.h.
+std::string ToJsonText(const FitReport& report);
+
 /// One page that needs nothing else: it opens offline.
 std::string ToHtml(const FitReport& report);
 

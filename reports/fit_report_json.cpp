@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "reports/fit_report.h"
+#include "reports/json_text.h"
 
 namespace plumb {
 namespace {
@@ -205,6 +206,10 @@ Json ToJson(const FitReport& report) {
     if (report.convergence) json["convergence"] = ToJson(*report.convergence);
     if (!report.timings.Empty()) json["timings"] = ToJson(report.timings);
     return json;
+}
+
+std::string ToJsonText(const FitReport& report) {
+    return JsonText(ToJson(report));
 }
 
 }  // namespace plumb

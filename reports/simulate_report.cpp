@@ -7,6 +7,7 @@
 #include "reports/page.h"
 #include "reports/surface_html.h"
 #include "reports/text.h"
+#include "reports/json_text.h"
 
 namespace plumb {
 namespace {
@@ -245,6 +246,10 @@ void WriteTable(std::ostream& out, const SimulateReport& report) {
     line("mean of V / n_z, 1 on a closed surface [-]",
          figures.aperture ? WithError(figures.aperture->mean, figures.aperture->standard_error)
                           : "–");
+}
+
+std::string ToJsonText(const SimulateReport& report) {
+    return JsonText(ToJson(report));
 }
 
 }  // namespace plumb

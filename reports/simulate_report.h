@@ -27,6 +27,9 @@ struct SimulateReport {
 /// Everything but the pictures.
 nlohmann::ordered_json ToJson(const SimulateReport& report);
 
+/// The same as the text of a file; see reports/json_text.h.
+std::string ToJsonText(const SimulateReport& report);
+
 /// One page that needs nothing else: it opens offline.
 std::string ToHtml(const SimulateReport& report);
 

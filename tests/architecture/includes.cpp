@@ -15,6 +15,7 @@ using Words = std::set<std::string>;
 const std::map<std::string, Words> kMayInclude{
     {"core", {}},
     {"io", {"core"}},
+    {"scenes", {"core"}},
     {"heightfield", {"core"}},
     {"formfactor", {"core", "heightfield"}},
     {"screen_space", {"core"}},
@@ -23,8 +24,8 @@ const std::map<std::string, Words> kMayInclude{
     {"score", {"core"}},
     {"reports", {"core", "fit", "score"}},
     {"jobs",
-     {"core", "io", "heightfield", "formfactor", "screen_space", "truth", "fit", "score",
-      "reports"}},
+     {"core", "io", "scenes", "heightfield", "formfactor", "screen_space", "truth", "fit",
+      "score", "reports"}},
     {"app", {"core", "jobs"}},  // core: errors and the monitor, which every job speaks
 };
 

@@ -118,6 +118,7 @@ WalkGrid::End WalkGrid::Walk(const Start& start, double slope, double max_distan
     bool first = true;  // The starting facet lies in its own plane: it hides nothing.
     const double headroom_m = highest_m_ - start.z_m;
     const auto slack = [tolerance_rad](double m) {
+        if (tolerance_rad == 0) return 0.0;  // Not 0 times the square of an upright slope.
         const double above = std::max(m, 0.0);
         return tolerance_rad * (1 + above * above);
     };

@@ -74,7 +74,7 @@ TEST(FitMeasuredCurves, RefusesTablesWithNothingInThem) {
     EXPECT_THAT(MessageOf(Written("no_e1.csv", "bin,E0\n0,1\n1,2\n")),
                 testing::HasSubstr("no columns E0 and E1"));
     EXPECT_THAT(MessageOf(Written("nan.csv", "bin,E0,E1\n0,nan,1\n")),
-                testing::HasSubstr("must be a number"));
+                testing::HasSubstr("must be a finite number"));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ class Walker {
     enum class End { kGoesOn, kSky, kLost };
 
     void Start(const Receiver& receiver, std::int64_t number) {
-        const Sampling& sampling = options_.sampling;
+        const NetSampling& sampling = options_.sampling;
         const Triangle triangle = TriangleOf(mesh_, receiver.triangle);
         const Basis frame(receiver.Normal(triangle));
         nets_.clear();

@@ -32,7 +32,7 @@
 namespace plumb {
 
 struct WalkOptions {
-    Sampling sampling;
+    NetSampling sampling;
     int bounces = 20;  ///< K. [0, 10000]
     Sky sky = Sky::kAllAround;
     /// Whether surfaces reflect on their backs too. If not, none should be met from there (in a

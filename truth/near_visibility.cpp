@@ -50,7 +50,7 @@ NearSums MeasureNear(const RayCaster& caster, const Mesh& mesh,
                      std::span<const Receiver> receivers, const NearOptions& options,
                      Monitor& monitor) {
     Validate(options);
-    const Sampling& sampling = options.sampling;
+    const NetSampling& sampling = options.sampling;
     const std::size_t R = std::size_t(sampling.replicates), n = std::size_t(sampling.points);
     NearSums sums{.replicates = int(R),
                   .points = sampling.points,

@@ -31,7 +31,7 @@ enum class Falloff { kHard, kLinear, kSao };
 double OpennessAt(double d_m, double reach_m, Falloff falloff);
 
 struct NearOptions {
-    Sampling sampling;
+    NetSampling sampling;
     double reach_m = 1;  ///< r. (0, infinity)
     Falloff falloff = Falloff::kHard;
 };

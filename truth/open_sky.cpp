@@ -22,7 +22,7 @@ class Counter {
         : caster_(caster), mesh_(mesh), options_(options) {}
 
     void Count(const Receiver& receiver, std::int64_t number, std::span<std::uint32_t> open) {
-        const Sampling& sampling = options_.sampling;
+        const NetSampling& sampling = options_.sampling;
         const std::size_t n = std::size_t(sampling.points);
         const Triangle triangle = TriangleOf(mesh_, receiver.triangle);
         const Basis frame(receiver.Normal(triangle));
@@ -36,7 +36,7 @@ class Counter {
             for (std::size_t s = 0; s < n; ++s, ++next) {
                 const std::uint32_t index = std::uint32_t(sampling.first + std::int64_t(s));
                 const Vec2 u = SobolOwenPair(index, kFirstDirection, net);
-                const Vec3 w = options_.weighting == Weighting::kCosine
+                const Vec3 w = options_.weighting == HemisphereWeight::kCosine
                                    ? SampleCosineHemisphere(u)
                                    : SampleUniformHemisphere(u);
                 directions_[next] = frame.ToWorld(w).cast<float>();

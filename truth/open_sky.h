@@ -24,11 +24,11 @@
 
 namespace plumb {
 
-enum class Weighting { kUniform, kCosine };  ///< alpha or V.
+enum class HemisphereWeight { kUniform, kCosine };  ///< alpha or V.
 
 struct OpenSkyOptions {
-    Sampling sampling;
-    Weighting weighting = Weighting::kCosine;
+    NetSampling sampling;
+    HemisphereWeight weighting = HemisphereWeight::kCosine;
     double reach_m =
         std::numeric_limits<double>::infinity();  ///< Hits beyond do not count. > 0
     Sky sky = Sky::kAllAround;

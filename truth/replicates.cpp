@@ -11,15 +11,15 @@
 
 namespace plumb {
 
-void Validate(const Sampling& sampling) {
+void Validate(const NetSampling& sampling) {
     if (sampling.replicates < 2 || sampling.replicates > 1024) {
-        throw Error(MustBe("Sampling::replicates", sampling.replicates, "in [2, 1024]"));
+        throw Error(MustBe("NetSampling::replicates", sampling.replicates, "in [2, 1024]"));
     }
     if (sampling.first < 0)
-        throw Error(MustBe("Sampling::first", double(sampling.first), ">= 0"));
+        throw Error(MustBe("NetSampling::first", double(sampling.first), ">= 0"));
     if (sampling.points < 1 || sampling.first + sampling.points > std::int64_t{1} << 32) {
         throw Error(
-            MustBe("Sampling::points", double(sampling.points), ">= 1, up to 2^32 in all"));
+            MustBe("NetSampling::points", double(sampling.points), ">= 1, up to 2^32 in all"));
     }
 }
 

@@ -25,7 +25,7 @@
 namespace plumb {
 
 /// Which samples to take of every receiver.
-struct Sampling {
+struct NetSampling {
     int replicates = 8;      ///< R, independent nets. [2, 1024]
     std::int64_t first = 0;  ///< First point of each net: goes on where an earlier call ended.
     std::int64_t points = 64;  ///< n, points of each net. [1, 2^32 - first]
@@ -33,7 +33,7 @@ struct Sampling {
 };
 
 /// Throws Error, naming field, value and rule.
-void Validate(const Sampling& sampling);
+void Validate(const NetSampling& sampling);
 
 /// Which pair of a net's dimensions serves what: the first is the evenest, and the first direction
 /// has the edges.

@@ -126,7 +126,7 @@ Truth Measure(const HeightField& field, int tiles) {
     const OpenCounts open =
         CountOpenSky(caster, mesh, facets,
                      {.sampling = {.replicates = kNets, .points = kPoints, .seed = 2},
-                      .weighting = Weighting::kUniform,
+                      .weighting = HemisphereWeight::kUniform,
                       .sky = Sky::kAbove});
     truth.alpha = values(open.Receivers(), [&](std::int64_t i) { return open.Of(i); });
 

@@ -39,12 +39,12 @@ struct Bench {
     explicit Bench(const Mesh& mesh_in) : mesh(mesh_in), caster(mesh) {}
 
     Measured V(const Receiver& receiver, double reach_m = 1e30) const {
-        return Open(receiver, Weighting::kCosine, reach_m);
+        return Open(receiver, HemisphereWeight::kCosine, reach_m);
     }
     Measured Alpha(const Receiver& receiver, double reach_m = 1e30) const {
-        return Open(receiver, Weighting::kUniform, reach_m);
+        return Open(receiver, HemisphereWeight::kUniform, reach_m);
     }
-    Measured Open(const Receiver& receiver, Weighting weighting, double reach_m) const {
+    Measured Open(const Receiver& receiver, HemisphereWeight weighting, double reach_m) const {
         return CountOpenSky(caster, mesh, std::span(&receiver, 1),
                             {.sampling = {.replicates = kNets, .points = kPoints},
                              .weighting = weighting,

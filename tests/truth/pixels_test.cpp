@@ -133,7 +133,7 @@ TEST(NearVisibility, HardIsTheVisibilityOfOcclusionRaysWithinReach) {
     const Scene scene = GroundAndBoard();
     const EmbreeCaster caster(scene.mesh);
     const PixelGeometry pixels = LookThrough(caster, scene, scene.cameras[0]);
-    const Sampling sampling{.replicates = 4, .points = 32};
+    const NetSampling sampling{.replicates = 4, .points = 32};
     const NearSums near = MeasureNear(caster, scene.mesh, pixels.receivers,
                                       {.sampling = sampling, .reach_m = 1.5});
     const OpenCounts open = CountOpenSky(caster, scene.mesh, pixels.receivers,

@@ -146,7 +146,7 @@ TEST(Replicates, CountsDoNotDependOnThreadsNorOnInterruptions) {
     };
     const WalkOptions whole{.sampling = {.points = 32}};
     const OpenSkyOptions open_whole{.sampling = {.points = 32},
-                                    .weighting = Weighting::kUniform};
+                                    .weighting = HemisphereWeight::kUniform};
     SetThreadCount(1);
     const EscapeCounts one = WalkToTheSky(caster, mesh, receivers, whole);
     const OpenCounts open_one = CountOpenSky(caster, mesh, receivers, open_whole);
@@ -181,10 +181,11 @@ TEST(Replicates, AlphaAndVKeepTheirLaw) {
     for (std::uint32_t i = 0; i < 200; ++i) {
         receivers.push_back({.triangle = 9 * i, .spread = false});
     }
-    const Sampling sampling{.replicates = 32, .points = 128};
+    const NetSampling sampling{.replicates = 32, .points = 128};
     const OpenCounts V = CountOpenSky(caster, mesh, receivers, {.sampling = sampling});
-    const OpenCounts alpha = CountOpenSky(
-        caster, mesh, receivers, {.sampling = sampling, .weighting = Weighting::kUniform});
+    const OpenCounts alpha =
+        CountOpenSky(caster, mesh, receivers,
+                     {.sampling = sampling, .weighting = HemisphereWeight::kUniform});
     for (std::int64_t i = 0; i < V.Receivers(); ++i) {
         const Measured v = V.Of(i), a = alpha.Of(i);
         // d/da of a^2 and a (2 - a) is at most 2.
@@ -214,8 +215,8 @@ TEST(EscapeCounts, TotalBracketsWhatIsNotKnown) {
     EXPECT_GE(total.interval.high, high);
 }
 
-TEST(Sampling, RefusesWhatItCannotDo) {
-    const auto message = [](const Sampling& sampling) {
+TEST(NetSampling, RefusesWhatItCannotDo) {
+    const auto message = [](const NetSampling& sampling) {
         try {
             Validate(sampling);
         } catch (const Error& error) {
@@ -223,9 +224,10 @@ TEST(Sampling, RefusesWhatItCannotDo) {
         }
         return std::string("no error");
     };
-    EXPECT_EQ(message({.replicates = 1}), "Sampling::replicates = 1, must be in [2, 1024]");
-    EXPECT_EQ(message({.first = -1}), "Sampling::first = -1, must be >= 0");
-    EXPECT_EQ(message({.points = 0}), "Sampling::points = 0, must be >= 1, up to 2^32 in all");
+    EXPECT_EQ(message({.replicates = 1}), "NetSampling::replicates = 1, must be in [2, 1024]");
+    EXPECT_EQ(message({.first = -1}), "NetSampling::first = -1, must be >= 0");
+    EXPECT_EQ(message({.points = 0}),
+              "NetSampling::points = 0, must be >= 1, up to 2^32 in all");
     EXPECT_EQ(message({}), "no error");
 }
 

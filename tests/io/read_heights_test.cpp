@@ -44,6 +44,8 @@ TEST_F(Heights, AGreyPictureInColourIsOneChannel) {
 }
 
 TEST_F(Heights, ChannelsThatDifferNeedAChoice) {
+    WriteStored<std::uint8_t>(Path("b.png"), 1, 1, {"R", "G", "B"}, {10, 10, 30});
+    EXPECT_THROW(ReadHeights(Path("b.png")), Error);
     WriteStored<std::uint8_t>(Path("a.png"), 1, 1, {"R", "G", "B", "A"}, {10, 20, 30, 51});
     EXPECT_EQ(MessageOf<Error>([&] { ReadHeights(Path("a.png")); }),
               Path("a.png").string() +

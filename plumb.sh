@@ -15,7 +15,7 @@ jobs=${PLUMB_JOBS:-$(nproc)}
 packages=(
   cmake g++ ninja-build
   libeigen3-dev libtbb-dev libceres-dev libembree-dev libhwy-dev libassimp-dev
-  libopenimageio-dev libtiff-dev libssl-dev
+  libopenimageio-dev openimageio-tools libtiff-dev libssl-dev
   libcli11-dev nlohmann-json3-dev libjs-chart.js
   libgtest-dev libgmock-dev glslang-tools
 )

@@ -1,0 +1,90 @@
+// plumb truth: the path-traced truth of one view, with error bars.
+//
+// Options -> struct -> call -> print.
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "app/command.h"
+#include "core/error.h"
+#include "core/parallel.h"
+#include "jobs/truth.h"
+
+namespace plumb::app {
+namespace {
+
+struct Options {
+    std::string scene;
+    TruthJob job;
+    bool no_alpha = false;
+    Common common;
+};
+
+void RunTruth(Options o) {
+    SetThreadCount(o.common.threads);
+    const auto monitor = MakeMonitor(o.common);
+    o.job.alpha = !o.no_alpha;
+    o.job.seed = o.common.seed;
+    const TruthResult result = MeasureTruth(LoadScene(o.scene), o.job, o.common.out,
+                                            PLUMB_VERSION, CommandLine(), NowS, *monitor);
+    if (o.common.json) {
+        std::cout << ToJsonText(result.report);
+    } else if (!o.common.quiet) {
+        WriteTable(std::cout, result.report);
+        std::cout << "Images: " << result.exr.string() << "\n";
+    }
+    if (result.interrupted) throw Interrupted();
+}
+
+}  // namespace
+
+void AddTruth(CLI::App& program) {
+    auto o = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand(
+        "truth",
+        "Path-trace one view of a scene under a white sky: V, alpha, bounces, each with its\n"
+        "standard error. Writes truth.exr, truth.png, truth.json and truth.state.");
+    command
+        ->add_option("scene", o->scene,
+                     "A scene.json, or a generated scene such as atrium (docs/scenes.md)")
+        ->required();
+    command->add_option("--camera", o->job.camera,
+                        "Name of the camera; the first if not given");
+    command->add_option("--width", o->job.width_px, "Width of the picture [px]")
+        ->check(CLI::Range(1, 65536));
+    command->add_option("--height", o->job.height_px, "Height of the picture [px]")
+        ->check(CLI::Range(1, 65536));
+    command->add_flag("--no-alpha", o->no_alpha, "Leave out the uniform visibility");
+    command
+        ->add_option("--bounces", o->job.bounces,
+                     "Also E_1 ... E_K: the light of each of K bounces")
+        ->check(CLI::Range(0, 100))
+        ->capture_default_str();
+    command->add_option(
+        "--albedo", o->job.albedos,
+        "With --bounces: also the total light for these albedos, each in [0, 1]");
+    command
+        ->add_option("--reach", o->job.reach_m,
+                     "Also the visibility within this reach [m]; 0 = not")
+        ->check(CLI::NonNegativeNumber);
+    const std::map<std::string, Falloff> falloffs{
+        {"hard", Falloff::kHard}, {"linear", Falloff::kLinear}, {"sao", Falloff::kSao}};
+    command->add_option("--falloff", o->job.falloff, "With --reach: hard, linear or sao")
+        ->transform(CLI::CheckedTransformer(falloffs));
+    command
+        ->add_option("--spp", o->job.max_spp,
+                     "Stop at this many samples a pixel: a power of two, at least 64")
+        ->capture_default_str();
+    command
+        ->add_option("--target-error", o->job.target_error,
+                     "Stop when the root mean square standard error of V is this small, > 0")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--seconds", o->job.max_seconds, "Stop after this time [s], > 0")
+        ->check(CLI::PositiveNumber);
+    command->add_flag("--resume", o->job.resume, "Go on from truth.state in the folder");
+    AddCommon(*command, o->common);
+    command->callback([o] { RunTruth(*o); });
+}
+
+}  // namespace plumb::app

@@ -1,0 +1,23 @@
+// A scene by the name that a user gives it, ready to be measured.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace plumb {
+
+struct LoadedScene {
+    Scene scene;
+    std::vector<std::string> notes;  ///< What was left out of its files.
+    std::string digest;              ///< SHA-256 of all that its light depends on.
+};
+
+/// "hall.json" (docs/scenes.md), or "make:KIND" or KIND for a generated one. Throws Error.
+LoadedScene LoadScene(const std::string& name);
+
+/// The camera of that name, the first if it is empty. Throws Error, listing the names.
+const Camera& CameraNamed(const Scene& scene, const std::string& name);
+
+}  // namespace plumb

@@ -1,0 +1,58 @@
+// The path-traced truth of one view, with a standard error for every pixel.
+//
+// Every net is taken in passes that double its points; after each, the errors are known, the
+// state is kept, and the stop rules are asked. So a run that was stopped, or killed, goes on to
+// the same bits as one that was not.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/monitor.h"
+#include "jobs/load_scene.h"
+#include "reports/truth_report.h"
+#include "truth/near_visibility.h"
+#include "truth/sky.h"
+
+namespace plumb {
+
+struct TruthJob {
+    std::string camera;               ///< Empty = the scene's first.
+    int width_px = 0, height_px = 0;  ///< 0 = the camera's own. [0, 65536]
+    bool alpha = true;                ///< Also the uniform visibility.
+    int bounces = 0;                  ///< K: also E_1 ... E_K; 0 = V only. [0, 100]
+    std::vector<double> albedos;      ///< With bounces: also E(rho). Each in [0, 1].
+    double reach_m = 0;               ///< Also the visibility within this reach; 0 = not. >= 0
+    Falloff falloff = Falloff::kHard;
+    std::uint64_t seed = 1;
+
+    // Whichever comes first stops the run; the points of all 8 nets are counted.
+    int max_spp = 512;        ///< A power of two times 8. [64, 2^31]
+    double target_error = 0;  ///< Root mean square standard error of V; 0 = no such rule. >= 0
+    double max_seconds = std::numeric_limits<double>::infinity();  ///< > 0
+    bool resume = false;  ///< Goes on from the state in the folder, if it is of this job.
+};
+
+/// Throws Error, naming field, value and rule.
+void Validate(const TruthJob& job);
+
+struct TruthResult {
+    TruthReport report;
+    Lost lost;
+    double seconds = 0;
+    std::filesystem::path exr, preview, json;
+    bool interrupted = false;
+};
+
+/// Measures and writes truth.exr, truth.png, truth.json and truth.state into `folder`. An
+/// interruption after the first pass writes what there is; before it, Interrupted is thrown.
+TruthResult MeasureTruth(const LoadedScene& loaded, const TruthJob& job,
+                         const std::filesystem::path& folder, const std::string& tool_version,
+                         const std::string& command, const std::function<double()>& clock,
+                         Monitor& monitor = SilentMonitor());
+
+}  // namespace plumb

@@ -32,8 +32,8 @@ struct EscapeBentOfV {
     static T Evaluate(const T* p, CosineVisibility V, Albedo rho) {
         using std::pow;
         const T visibility(V.value);
-        const T g = V.value > 0 ? T(pow(visibility, p[0]) * (1.0 - p[1] * (1.0 - V.value)))
-                                : T(0.0);
+        const T g =
+            V.value > 0 ? T(pow(visibility, p[0]) * (1.0 - p[1] * (1.0 - V.value))) : T(0.0);
         return EscapeTotal(visibility, g, rho);
     }
 };

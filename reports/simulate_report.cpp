@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "reports/json_text.h"
 #include "reports/page.h"
 #include "reports/surface_html.h"
 #include "reports/text.h"
-#include "reports/json_text.h"
 
 namespace plumb {
 namespace {

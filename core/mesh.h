@@ -14,6 +14,10 @@ namespace plumb {
 struct Mesh {
     std::vector<Vec3f> vertices_m;
     std::vector<std::array<std::uint32_t, 4>> quads;
+
+    // Of each vertex, for shading only; empty = the surface has none.
+    std::vector<Vec3f> normals;  ///< Unit. Without them faces are shaded flat.
+    std::vector<Vec2f> uvs;      ///< Texture coordinates; (0, 0) is the lower left corner.
 };
 
 }  // namespace plumb

@@ -11,6 +11,7 @@
 #include "core/camera.h"
 #include "core/image.h"
 #include "core/mesh.h"
+#include "core/texture.h"
 #include "core/vec.h"
 
 namespace plumb {
@@ -18,7 +19,11 @@ namespace plumb {
 /// Diffuse.
 struct Material {
     std::string name = "material";
-    Rgb albedo{0.8f, 0.8f, 0.8f};  ///< rho of each colour. [0, 1]
+    Rgb albedo{0.8f, 0.8f, 0.8f};  ///< rho of each colour, times the texture's. [0, 1]
+    int texture = kNoTexture;      ///< Of Scene::textures.
+    bool alpha_tested = false;     ///< No surface where the texture's opacity is below 1/2.
+
+    static constexpr int kNoTexture = -1;
 };
 
 /// Light from infinitely far away.
@@ -48,6 +53,7 @@ struct Scene {
     Mesh mesh;
     std::vector<std::uint16_t> material_of_face;  ///< One a face of the mesh.
     std::vector<Material> materials;
+    std::vector<Texture> textures;
     SceneLight light;
     std::vector<Camera> cameras;
 

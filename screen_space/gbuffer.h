@@ -1,0 +1,27 @@
+// What the rasterizer knows of the centre of each pixel; all that a screen-space method sees.
+//
+// Images are of the drawn size: View::DrawnWidth() x View::DrawnHeight().
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "core/image.h"
+#include "core/vec.h"
+#include "screen_space/view.h"
+
+namespace plumb {
+
+struct GBuffer {
+    static constexpr std::uint32_t kSky = ~std::uint32_t{0};
+    static constexpr float kSkyZ = -std::numeric_limits<float>::infinity();
+
+    View view;
+    Image<float> z_m;                ///< Of the camera's frame, < 0; kSkyZ where the sky is seen.
+    Image<std::uint32_t> triangle;   ///< 2 face + half, as truth/ numbers them; kSky for the sky.
+    Image<Vec3f> face_normal;        ///< Unit, camera's frame, towards the viewer; 0 for the sky.
+    Image<Vec3f> shading_normal;     ///< Interpolated; the face's where the mesh has none.
+    Image<Rgb> albedo;               ///< 0 for the sky.
+};
+
+}  // namespace plumb

@@ -16,7 +16,7 @@ struct Mesh {
     std::vector<std::array<std::uint32_t, 4>> quads;
 
     // Of each vertex, for shading only; empty = the surface has none.
-    std::vector<Vec3f> normals;  ///< Unit. Without them faces are shaded flat.
+    std::vector<Vec3f> normals;  ///< Unit, or 0 = none. Without them faces are shaded flat.
     std::vector<Vec2f> uvs;      ///< Texture coordinates; (0, 0) is the lower left corner.
 };
 

@@ -15,6 +15,55 @@ void NotNegative(const Rgb& colour, const std::string& name, double most, const 
     }
 }
 
+void ValidateTexture(const Texture& texture, const std::string& name) {
+    const Image<float>& opacity = texture.opacity;
+    if (texture.albedo.Empty()) throw Error(name + ".albedo is empty, must have a pixel");
+    if (!opacity.Empty() && (opacity.Width() != texture.albedo.Width() ||
+                             opacity.Height() != texture.albedo.Height())) {
+        throw Error(name + ".opacity is of another size than .albedo, must be of the same");
+    }
+    for (const Rgb& pixel : texture.albedo.Pixels()) {
+        for (const float x : pixel) {
+            if (!(x >= 0 && x <= 1)) throw Error(MustBe(name + ".albedo", x, "in [0, 1]"));
+        }
+    }
+    for (const float x : opacity.Pixels()) {
+        if (!(x >= 0 && x <= 1)) throw Error(MustBe(name + ".opacity", x, "in [0, 1]"));
+    }
+}
+
+// Normals, texture coordinates, textures, and who names them.
+void ValidateShading(const Scene& scene) {
+    const Mesh& mesh = scene.mesh;
+    const std::string rule = "0 or the number of vertices";
+    if (!mesh.normals.empty() && mesh.normals.size() != mesh.vertices_m.size()) {
+        throw Error(MustBe(scene.name + ": normals", double(mesh.normals.size()), rule));
+    }
+    if (!mesh.uvs.empty() && mesh.uvs.size() != mesh.vertices_m.size()) {
+        throw Error(
+            MustBe(scene.name + ": texture coordinates", double(mesh.uvs.size()), rule));
+    }
+    for (const Vec3f& n : mesh.normals) {
+        if (!n.allFinite()) throw Error(scene.name + ": a normal is not finite, must be");
+    }
+    for (const Vec2f& uv : mesh.uvs) {
+        if (!uv.allFinite()) {
+            throw Error(scene.name + ": a texture coordinate is not finite, must be");
+        }
+    }
+    for (std::size_t t = 0; t < scene.textures.size(); ++t) {
+        ValidateTexture(scene.textures[t],
+                        scene.name + ": textures[" + std::to_string(t) + "]");
+    }
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const int texture = scene.materials[m].texture;
+        if (texture < Material::kNoTexture || texture >= int(scene.textures.size())) {
+            throw Error(MustBe(scene.name + ": materials[" + std::to_string(m) + "].texture",
+                               texture, "-1 or < " + std::to_string(scene.textures.size())));
+        }
+    }
+}
+
 }  // namespace
 
 void Validate(const Scene& scene) {
@@ -48,6 +97,7 @@ void Validate(const Scene& scene) {
                                "< " + std::to_string(scene.materials.size())));
         }
     }
+    ValidateShading(scene);
     constexpr double kHuge = 1e30;
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         NotNegative(scene.materials[m].albedo,

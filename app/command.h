@@ -36,6 +36,7 @@ void RememberCommandLine(int argc, char** argv);
 
 void AddFit(CLI::App& program);
 void AddSimulate(CLI::App& program);
+void AddTruth(CLI::App& program);
 void AddBench(CLI::App& program);
 
 }  // namespace plumb::app

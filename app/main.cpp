@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
     plumb::app::RememberCommandLine(argc, argv);
     plumb::app::AddFit(program);
     plumb::app::AddSimulate(program);
+    plumb::app::AddTruth(program);
     plumb::app::AddBench(program);
     try {
         program.parse(argc, argv);

@@ -1,5 +1,6 @@
 #include "jobs/load_scene.h"
 
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -14,7 +15,11 @@ namespace {
 // Appends the bytes of plain numbers, in this machine's order.
 template <class T>
 void Append(std::string& bytes, const std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T> || std::is_same_v<T, Vec3f>);
+    static_assert(std::is_trivially_copyable_v<T> || std::is_same_v<T, Vec3f> ||
+                  std::is_same_v<T, Vec2f>);
+    // The count first: no two scenes run into the same bytes.
+    const std::uint64_t count = values.size();
+    bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
 }
 
@@ -23,9 +28,17 @@ std::string Digest(const Scene& scene) {
     Append(bytes, scene.mesh.vertices_m);
     Append(bytes, scene.mesh.quads);
     Append(bytes, scene.material_of_face);
-    std::vector<Rgb> albedos;
-    for (const Material& material : scene.materials) albedos.push_back(material.albedo);
-    Append(bytes, albedos);
+    Append(bytes, scene.mesh.normals);
+    Append(bytes, scene.mesh.uvs);
+    for (const Material& material : scene.materials) {
+        Append(bytes, std::vector{material.albedo});
+        Append(bytes, std::vector{material.texture, int(material.alpha_tested)});
+    }
+    for (const Texture& texture : scene.textures) {
+        Append(bytes, std::vector{texture.albedo.Width(), texture.albedo.Height()});
+        Append(bytes, texture.albedo.Pixels());
+        Append(bytes, texture.opacity.Pixels());
+    }
     return Sha256Hex(bytes);
 }
 

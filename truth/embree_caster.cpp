@@ -13,14 +13,17 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/surface.h"
 #include "truth/triangle.h"
 
 namespace plumb {
 namespace {
 
-constexpr unsigned kQuads = 0, kTriangles = 1;  // Geometry numbers.
-constexpr std::size_t kStream = 256;            // Rays handed to Embree at once.
-constexpr float kDiagonal = 1e-5f;  // As near to a quad's diagonal as rounding may mislead.
+// Geometry numbers. What has holes comes last.
+constexpr unsigned kQuads = 0, kTriangles = 1, kQuadsWithHoles = 2, kTrianglesWithHoles = 3;
+constexpr unsigned kGeometries = 4;
+constexpr std::size_t kStream = 256;  // Rays handed to Embree at once.
+constexpr float kDiagonal = 1e-5f;    // As near to a quad's diagonal as rounding may mislead.
 
 // Embree wants denormals off while it works; nobody else gets to see that.
 class DenormalsOff {
@@ -66,14 +69,14 @@ bool HasArea(const Mesh& mesh, std::uint32_t triangle) {
 
 }  // namespace
 
-struct EmbreeCaster::Scene {
+struct EmbreeCaster::Tree {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
-    std::vector<std::uint32_t> quad_faces;  // Face of primitive i of the quads.
-    std::vector<std::uint32_t> triangles;   // Triangle of primitive i of the triangles.
-    bool every_face_a_quad = false;         // quad_faces[i] == i, and is left empty.
+    // Of each geometry: the first triangle of primitive i. Empty if that is 2 i.
+    std::array<std::vector<std::uint32_t>, kGeometries> triangle;
+    const plumb::Scene* holes = nullptr;  // Null: there are none.
 
-    ~Scene() {
+    ~Tree() {
         if (scene) rtcReleaseScene(scene);
         if (device) rtcReleaseDevice(device);
     }
@@ -98,6 +101,11 @@ struct EmbreeCaster::Scene {
         void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, format,
                                                 sizeof faces[0], faces.size());
         if (indices) std::memcpy(indices, faces.data(), faces.size() * sizeof faces[0]);
+        if (number == kQuadsWithHoles || number == kTrianglesWithHoles) {
+            rtcSetGeometryUserData(geometry, this);
+            rtcSetGeometryIntersectFilterFunction(geometry, RefuseHoles);
+            rtcSetGeometryOccludedFilterFunction(geometry, RefuseHoles);
+        }
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(scene, geometry, number);
         rtcReleaseGeometry(geometry);
@@ -106,7 +114,7 @@ struct EmbreeCaster::Scene {
 
     // On the diagonal itself rounding hides which half it was; the normal still tells.
     bool IsSecondHalf(const RTCHit& hit) const {
-        const RTCGeometry quads = rtcGetGeometry(scene, kQuads);
+        const RTCGeometry quads = rtcGetGeometry(scene, hit.geomID);
         const auto* points = static_cast<const Vec3f*>(
             rtcGetGeometryBufferData(quads, RTC_BUFFER_TYPE_VERTEX, 0));
         const auto* corners = static_cast<const std::array<std::uint32_t, 4>*>(
@@ -119,37 +127,56 @@ struct EmbreeCaster::Scene {
         return std::abs(n.dot(second)) > std::abs(n.dot(first));
     }
 
-    Hit ToHit(const RTCRayHit& found) const {
+    // Which triangle was met, and where on it.
+    Hit Place(const RTCHit& found) const {
         Hit hit;
-        if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-        hit.t = found.ray.tfar;
-        hit.b_1 = found.hit.u;
-        hit.b_2 = found.hit.v;
-        if (found.hit.geomID == kTriangles) {
-            hit.triangle = triangles[found.hit.primID];
-            return hit;
-        }
-        const std::uint32_t face =
-            every_face_a_quad ? found.hit.primID : quad_faces[found.hit.primID];
+        const std::vector<std::uint32_t>& first = triangle[found.geomID];
+        hit.triangle = first.empty() ? 2 * found.primID : first[found.primID];
+        hit.b_1 = found.u;
+        hit.b_2 = found.v;
+        if (found.geomID != kQuads && found.geomID != kQuadsWithHoles) return hit;
         // Embree gives one (u, v) over both halves of a quad; beyond the diagonal the second
         // half's own coordinates are 1 - u and 1 - v.
-        const float over = found.hit.u + found.hit.v - 1;
-        const bool second = std::abs(over) > kDiagonal ? over > 0 : IsSecondHalf(found.hit);
-        hit.triangle = 2 * face + (second ? 1 : 0);
+        const float over = found.u + found.v - 1;
+        const bool second = std::abs(over) > kDiagonal ? over > 0 : IsSecondHalf(found);
         if (second) {
+            ++hit.triangle;
             hit.b_1 = 1 - hit.b_1;
             hit.b_2 = 1 - hit.b_2;
         }
         return hit;
     }
+
+    Hit ToHit(const RTCRayHit& found) const {
+        if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+        Hit hit = Place(found.hit);
+        hit.t = found.ray.tfar;
+        return hit;
+    }
+
+    // Asked by Embree at every hit of a face that may have a hole there.
+    static void RefuseHoles(const RTCFilterFunctionNArguments* asked) {
+        const Tree& tree = *static_cast<const Tree*>(asked->geometryUserPtr);
+        for (unsigned i = 0; i < asked->N; ++i) {
+            if (asked->valid[i] != -1) continue;
+            const Hit hit = tree.Place(rtcGetHitFromHitN(asked->hit, asked->N, i));
+            if (!IsSolidAt(*tree.holes, hit.triangle, hit.b_1, hit.b_2)) asked->valid[i] = 0;
+        }
+    }
 };
 
-EmbreeCaster::EmbreeCaster(const Mesh& mesh) : scene_(std::make_unique<Scene>()) {
+EmbreeCaster::EmbreeCaster(const Mesh& mesh) : EmbreeCaster(mesh, nullptr) {}
+
+EmbreeCaster::EmbreeCaster(const Scene& scene) : EmbreeCaster(scene.mesh, &scene) {}
+
+EmbreeCaster::EmbreeCaster(const Mesh& mesh, const Scene* holes)
+    : tree_(std::make_unique<Tree>()) {
     Validate(mesh);
     counts_.faces = std::int64_t(mesh.quads.size());
+    tree_->holes = holes;
 
-    std::vector<std::array<std::uint32_t, 4>> quads;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::array<std::vector<std::array<std::uint32_t, 4>>, 2> quads;  // Without, with holes.
+    std::array<std::vector<std::array<std::uint32_t, 3>>, 2> triangles;
     for (std::uint32_t f = 0; f < mesh.quads.size(); ++f) {
         const std::array<std::uint32_t, 4>& q = mesh.quads[f];
         const bool is_triangle = q[2] == q[3];
@@ -157,36 +184,41 @@ EmbreeCaster::EmbreeCaster(const Mesh& mesh) : scene_(std::make_unique<Scene>())
         const bool second = !is_triangle && HasArea(mesh, 2 * f + 1);
         counts_.triangles += first + second;
         counts_.zero_area += !first + (!is_triangle && !second);
-        if (first && second) {
-            quads.push_back(q);
-            scene_->quad_faces.push_back(f);
+        if (!first && !second) continue;
+        const unsigned h = holes != nullptr && IsAlphaTested(*holes, f) ? 1 : 0;
+        const bool both = first && second;
+        const unsigned number = both ? (h == 0 ? kQuads : kQuadsWithHoles)
+                                     : (h == 0 ? kTriangles : kTrianglesWithHoles);
+        tree_->triangle[number].push_back(first ? 2 * f : 2 * f + 1);
+        if (both) {
+            quads[h].push_back(q);
         } else if (first) {
-            triangles.push_back({q[0], q[1], q[3]});
-            scene_->triangles.push_back(2 * f);
-        } else if (second) {
-            triangles.push_back({q[2], q[3], q[1]});
-            scene_->triangles.push_back(2 * f + 1);
+            triangles[h].push_back({q[0], q[1], q[3]});
+        } else {
+            triangles[h].push_back({q[2], q[3], q[1]});
         }
     }
-    scene_->every_face_a_quad = quads.size() == mesh.quads.size();
-    if (scene_->every_face_a_quad) scene_->quad_faces = {};
+    if (quads[0].size() == mesh.quads.size()) tree_->triangle[kQuads] = {};
 
-    scene_->device = rtcNewDevice(nullptr);
-    if (!scene_->device) throw MachineError("Embree: no device");
-    scene_->scene = rtcNewScene(scene_->device);
-    rtcSetSceneFlags(scene_->scene, RTC_SCENE_FLAG_ROBUST);
+    tree_->device = rtcNewDevice(nullptr);
+    if (!tree_->device) throw MachineError("Embree: no device");
+    tree_->scene = rtcNewScene(tree_->device);
+    rtcSetSceneFlags(tree_->scene, RTC_SCENE_FLAG_ROBUST);
     // Embree reads 16 bytes at every vertex, the last one too.
-    RTCBuffer points = rtcNewBuffer(scene_->device, mesh.vertices_m.size() * sizeof(Vec3f) + 4);
-    scene_->Check("taking the vertices");
+    RTCBuffer points = rtcNewBuffer(tree_->device, mesh.vertices_m.size() * sizeof(Vec3f) + 4);
+    tree_->Check("taking the vertices");
     std::memcpy(rtcGetBufferData(points), mesh.vertices_m.data(),
                 mesh.vertices_m.size() * sizeof(Vec3f));
-    scene_->AddGeometry(kQuads, RTC_GEOMETRY_TYPE_QUAD, RTC_FORMAT_UINT4, points,
-                        mesh.vertices_m.size(), quads);
-    scene_->AddGeometry(kTriangles, RTC_GEOMETRY_TYPE_TRIANGLE, RTC_FORMAT_UINT3, points,
-                        mesh.vertices_m.size(), triangles);
+    for (const unsigned h : {0u, 1u}) {
+        tree_->AddGeometry(h == 0 ? kQuads : kQuadsWithHoles, RTC_GEOMETRY_TYPE_QUAD,
+                           RTC_FORMAT_UINT4, points, mesh.vertices_m.size(), quads[h]);
+        tree_->AddGeometry(h == 0 ? kTriangles : kTrianglesWithHoles,
+                           RTC_GEOMETRY_TYPE_TRIANGLE, RTC_FORMAT_UINT3, points,
+                           mesh.vertices_m.size(), triangles[h]);
+    }
     rtcReleaseBuffer(points);
-    rtcCommitScene(scene_->scene);
-    scene_->Check("building its tree");
+    rtcCommitScene(tree_->scene);
+    tree_->Check("building its tree");
 }
 
 EmbreeCaster::~EmbreeCaster() = default;
@@ -199,8 +231,8 @@ void EmbreeCaster::Closest(std::span<const Ray> rays, std::span<Hit> hits) const
     for (std::size_t i = 0; i < rays.size(); ++i) {
         found.ray = EmbreeRay(rays[i]);
         found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene_->scene, &context, &found);
-        hits[i] = scene_->ToHit(found);
+        rtcIntersect1(tree_->scene, &context, &found);
+        hits[i] = tree_->ToHit(found);
     }
 }
 
@@ -213,7 +245,7 @@ void EmbreeCaster::Any(std::span<const Ray> rays, std::span<std::uint64_t> met) 
     for (std::size_t begin = 0; begin < rays.size(); begin += kStream) {
         const std::size_t count = std::min(kStream, rays.size() - begin);
         for (std::size_t i = 0; i < count; ++i) stream[i] = EmbreeRay(rays[begin + i]);
-        rtcOccluded1M(scene_->scene, &context, stream.data(), unsigned(count), sizeof(RTCRay));
+        rtcOccluded1M(tree_->scene, &context, stream.data(), unsigned(count), sizeof(RTCRay));
         for (std::size_t i = 0; i < count; ++i) {
             met[(begin + i) / 64] |= std::uint64_t(WasMet(stream[i])) << ((begin + i) % 64);
         }
@@ -237,7 +269,7 @@ void EmbreeCaster::AnyFromPoint(const Ray& common, std::span<const Vec3f> direct
             stream[i].dir_y = w.y();
             stream[i].dir_z = w.z();
         }
-        rtcOccluded1M(scene_->scene, &context, stream.data(), unsigned(count), sizeof(RTCRay));
+        rtcOccluded1M(tree_->scene, &context, stream.data(), unsigned(count), sizeof(RTCRay));
         for (std::size_t i = 0; i < count; ++i) {
             met[(begin + i) / 64] |= std::uint64_t(WasMet(stream[i])) << ((begin + i) % 64);
         }
@@ -264,7 +296,7 @@ std::int64_t EmbreeBareLoop::Closest(std::size_t begin, std::size_t end) const {
     for (std::size_t i = begin; i < end; ++i) {
         found.ray = rays_->rays[i];
         found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(caster_.scene_->scene, &context, &found);
+        rtcIntersect1(caster_.tree_->scene, &context, &found);
         met += found.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     }
     return met;
@@ -276,7 +308,7 @@ std::int64_t EmbreeBareLoop::Any(std::size_t begin, std::size_t end) const {
     std::int64_t met = 0;
     for (std::size_t i = begin; i < end; ++i) {
         RTCRay ray = rays_->rays[i];
-        rtcOccluded1(caster_.scene_->scene, &context, &ray);
+        rtcOccluded1(caster_.tree_->scene, &context, &ray);
         met += WasMet(ray);
     }
     return met;
@@ -287,7 +319,7 @@ std::int64_t EmbreeBareLoop::AnyStream(std::size_t begin, std::size_t end) const
     RTCIntersectContext context = NewContext();
     std::vector<RTCRay> rays(rays_->rays.begin() + std::ptrdiff_t(begin),
                              rays_->rays.begin() + std::ptrdiff_t(end));
-    rtcOccluded1M(caster_.scene_->scene, &context, rays.data(), unsigned(rays.size()),
+    rtcOccluded1M(caster_.tree_->scene, &context, rays.data(), unsigned(rays.size()),
                   sizeof(RTCRay));
     return std::ranges::count_if(rays, WasMet);
 }

@@ -1,6 +1,7 @@
 #include "truth/pixels.h"
 
 #include "core/parallel.h"
+#include "core/surface.h"
 #include "truth/triangle.h"
 
 namespace plumb {
@@ -39,7 +40,7 @@ PixelGeometry LookThrough(const RayCaster& caster, const Scene& scene, const Cam
                 out.position_m(i, j) = to_camera(from_camera);
                 out.depth_m(i, j) = -out.position_m(i, j).z();
                 out.normal(i, j) = to_camera(back ? Vec3(-front) : front);
-                out.albedo(i, j) = scene.AlbedoOfTriangle(hit.triangle);
+                out.albedo(i, j) = AlbedoAt(scene, hit.triangle, hit.b_1, hit.b_2);
                 out.triangle(i, j) = hit.triangle;
                 receivers(i, j) = {.triangle = hit.triangle,
                                    .spread = false,

@@ -1,0 +1,41 @@
+// All that was counted so far of one truth, as values and as bytes on the disk.
+//
+// The bytes are those of the job's key, the counts, and the SHA-256 of both: a file that is of
+// another job, cut off or damaged is not taken for a state.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "jobs/truth.h"
+#include "truth/escape_walk.h"
+#include "truth/near_visibility.h"
+#include "truth/open_sky.h"
+
+namespace plumb {
+
+inline constexpr int kTruthNets = 8;
+
+/// Which members are there follows from the job.
+struct TruthCounts {
+    std::int64_t points = 0;  ///< Of each net.
+    std::optional<OpenCounts> alpha, V;
+    std::optional<EscapeCounts> walks;
+    std::optional<NearSums> near;
+};
+
+/// Adds later points of the same nets.
+void Merge(TruthCounts& all, TruthCounts&& later);
+
+/// SHA-256 of all that decides the counts, but not of when to stop.
+std::string KeyOfTruth(const LoadedScene& loaded, const Camera& camera, const TruthJob& job,
+                       const std::string& tool_version);
+
+std::string ToBytes(const TruthCounts& counts, const std::string& key);
+
+/// Nothing if the bytes are not a whole state of the job with that key.
+std::optional<TruthCounts> TruthFromBytes(const std::string& bytes, const std::string& key,
+                                          std::int64_t receivers, const TruthJob& job);
+
+}  // namespace plumb

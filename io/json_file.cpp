@@ -109,6 +109,13 @@ std::optional<double> JsonFields::Number(const char* field, const NumberRule& ru
     return CheckedNumber(*value, NameOf(field), rule);
 }
 
+std::optional<bool> JsonFields::Flag(const char* field) {
+    const Json* value = Find(field);
+    if (value == nullptr) return std::nullopt;
+    if (!value->is_boolean()) Refuse(NameOf(field), *value, "true or false");
+    return value->get<bool>();
+}
+
 std::optional<std::string> JsonFields::Text(const char* field) {
     const Json* value = Find(field);
     if (value == nullptr) return std::nullopt;

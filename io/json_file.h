@@ -43,6 +43,7 @@ class JsonFields {
     JsonFields(const nlohmann::ordered_json& object, std::string file, std::string at = "");
 
     std::optional<double> Number(const char* field, const NumberRule& rule);
+    std::optional<bool> Flag(const char* field);
     std::optional<std::string> Text(const char* field);
     std::optional<std::string> OneOf(const char* field,
                                      const std::vector<std::string>& choices);

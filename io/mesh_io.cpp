@@ -1,6 +1,5 @@
 #include "io/mesh_io.h"
 
-#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -12,6 +11,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "io/mesh_materials.h"
 
 namespace plumb {
 namespace {
@@ -26,31 +26,6 @@ Vec3 UpIsZ(const aiVector3D& p, UpAxis up) {
             return {p.x, p.y, p.z};
     }
     return Vec3::Zero();
-}
-
-Material ToMaterial(const aiMaterial& from, const std::string& file,
-                    std::vector<std::string>& notes) {
-    Material material;
-    material.name = from.GetName().C_Str();
-    aiColor4D colour(0.8f, 0.8f, 0.8f, 1.0f);
-    if (from.Get(AI_MATKEY_BASE_COLOR, colour) != aiReturn_SUCCESS) {
-        from.Get(AI_MATKEY_COLOR_DIFFUSE, colour);
-    }
-    const float channels[] = {colour.r, colour.g, colour.b};
-    for (std::size_t c = 0; c < 3; ++c) {
-        if (!(channels[c] >= 0 && channels[c] <= 1)) {
-            notes.push_back(file + ": material " + material.name +
-                            ": colour out of [0, 1], clamped");
-        }
-        // In this order what is not a number becomes 0.
-        material.albedo[c] = std::min(1.0f, std::max(0.0f, channels[c]));
-    }
-    if (from.GetTextureCount(aiTextureType_DIFFUSE) > 0 ||
-        from.GetTextureCount(aiTextureType_BASE_COLOR) > 0) {
-        notes.push_back(file + ": material " + material.name +
-                        ": texture left out, constant colour instead");
-    }
-    return material;
 }
 
 // assimp 5.2 reads on for ever in a PLY header that does not end.
@@ -69,25 +44,40 @@ void CheckPlyHeader(const std::filesystem::path& path) {
     }
 }
 
+Vec3f UnitOrZero(const Vec3& n) {
+    const double length = n.norm();
+    if (!(length > 0 && std::isfinite(length))) return Vec3f::Zero();
+    return Vec3(n / length).cast<float>();
+}
+
 class Converter {
   public:
-    Converter(const std::string& file, const MeshFileOptions& options)
-        : file_(file), options_(options) {}
+    Converter(const std::filesystem::path& path, const MeshFileOptions& options)
+        : path_(path), file_(path.string()), options_(options) {}
 
     MeshFile Convert(const aiScene& scene) {
         if (scene.mNumMaterials > 65535) {
             throw Error(MustBe(file_ + ": materials", scene.mNumMaterials, "at most 65535"));
         }
-        for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
-            out_.materials.push_back(ToMaterial(*scene.mMaterials[m], file_, out_.notes));
-        }
+        MeshMaterials read = ReadMaterials(scene, path_, options_);
+        out_.materials = std::move(read.materials);
+        out_.textures = std::move(read.textures);
+        out_.notes = std::move(read.notes);
+        uv_channel_ = std::move(read.uv_channel);
         for (unsigned m = 0; m < scene.mNumMeshes; ++m) Add(*scene.mMeshes[m]);
         if (out_.mesh.quads.empty()) throw Error(file_ + ": no faces");
+        if (!has_normals_) out_.mesh.normals.clear();
+        if (!has_uvs_) out_.mesh.uvs.clear();
         return std::move(out_);
     }
 
   private:
     void Add(const aiMesh& mesh) {
+        if (mesh.mMaterialIndex >= out_.materials.size()) {
+            throw Error(MustBe(file_ + ": mesh " + mesh.mName.C_Str() + ": material",
+                               mesh.mMaterialIndex,
+                               "< " + std::to_string(out_.materials.size())));
+        }
         const std::size_t first = out_.mesh.vertices_m.size();
         if (first + mesh.mNumVertices > std::numeric_limits<std::uint32_t>::max()) {
             throw Error(file_ + ": more than 2^32 vertices");
@@ -100,6 +90,8 @@ class Converter {
             }
             out_.mesh.vertices_m.push_back(p.cast<float>());
         }
+        AddNormals(mesh);
+        AddUvs(mesh);
         for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
             const aiFace& face = mesh.mFaces[f];
             if (face.mNumIndices != 3) continue;  // Points and lines.
@@ -119,8 +111,50 @@ class Converter {
         }
     }
 
+    void AddNormals(const aiMesh& mesh) {
+        has_normals_ = has_normals_ || mesh.HasNormals();
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+            const Vec3 n =
+                mesh.HasNormals() ? UpIsZ(mesh.mNormals[v], options_.up) : Vec3(0, 0, 0);
+            out_.mesh.normals.push_back(UnitOrZero(n));
+        }
+    }
+
+    void AddUvs(const aiMesh& mesh) {
+        const Material& material = out_.materials[mesh.mMaterialIndex];
+        const unsigned channel = uv_channel_[mesh.mMaterialIndex];
+        const bool has_uvs =
+            channel < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(channel);
+        if (material.texture != Material::kNoTexture && !has_uvs) {
+            out_.notes.push_back(file_ + ": mesh " + mesh.mName.C_Str() +
+                                 ": no coordinates for its texture, its lower left corner "
+                                 "everywhere");
+        }
+        has_uvs_ = has_uvs_ || has_uvs;
+        bool bad = false;
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+            Vec2f uv = Vec2f::Zero();
+            if (has_uvs) {
+                const aiVector3D& from = mesh.mTextureCoords[channel][v];
+                uv = Vec2f(from.x, from.y);
+            }
+            if (!uv.allFinite()) {
+                bad = true;
+                uv = Vec2f::Zero();
+            }
+            out_.mesh.uvs.push_back(uv);
+        }
+        if (bad) {
+            out_.notes.push_back(file_ + ": mesh " + mesh.mName.C_Str() +
+                                 ": texture coordinates that are not finite, 0 instead");
+        }
+    }
+
+    std::filesystem::path path_;
     std::string file_;
     const MeshFileOptions& options_;
+    std::vector<unsigned> uv_channel_;  // Of each material.
+    bool has_normals_ = false, has_uvs_ = false;
     MeshFile out_;
 };
 
@@ -144,7 +178,7 @@ MeshFile ReadMesh(const std::filesystem::path& path, const MeshFileOptions& opti
             file, aiProcess_Triangulate | aiProcess_PreTransformVertices |
                       aiProcess_JoinIdenticalVertices | aiProcess_SortByPType);
         if (!scene) throw Error(file + ": " + importer.GetErrorString());
-        return Converter(file, options).Convert(*scene);
+        return Converter(path, options).Convert(*scene);
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {

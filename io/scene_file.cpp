@@ -100,6 +100,14 @@ class Reader {
             options.up = *up == "x" ? UpAxis::kX : *up == "y" ? UpAxis::kY : UpAxis::kZ;
         }
         const std::optional<Rgb> albedo = Colour(fields, "albedo", kShare);
+        options.alpha_tested = fields.Flag("alpha_tested");
+        options.textures = fields.Flag("textures").value_or(!albedo);
+        if (albedo && options.textures) {
+            throw Error(fields.NameOf("albedo") + " and textures: must be only one of them");
+        }
+        if (options.alpha_tested.value_or(false) && !options.textures) {
+            throw Error(fields.NameOf("alpha_tested") + " without textures, must have them");
+        }
         MeshFile read = ReadMesh(mesh_path, options);
         out_.files.push_back(mesh_path);
         Append(std::move(read), albedo);
@@ -109,6 +117,7 @@ class Reader {
         Scene& scene = out_.scene;
         const std::size_t vertex = scene.mesh.vertices_m.size();
         const std::size_t material = scene.materials.size();
+        const std::size_t texture = scene.textures.size();
         if (vertex + read.mesh.vertices_m.size() > 0xffffffffu ||
             material + read.materials.size() > 0xffffu) {
             throw Error(file_ + ": more than 2^32 vertices or 65535 materials in all");
@@ -119,10 +128,21 @@ class Reader {
         for (std::uint16_t& m : read.material_of_face) m = std::uint16_t(m + material);
         for (Material& m : read.materials) {
             if (albedo) m.albedo = *albedo;
+            if (m.texture != Material::kNoTexture) m.texture += int(texture);
         }
         const auto append = [](auto& to, const auto& from) {
             to.insert(to.end(), from.begin(), from.end());
         };
+        // Of vertices; those of a mesh without get zeros as soon as another has them.
+        const auto append_of_vertices = [&](auto& to, const auto& from, const auto& zero) {
+            if (to.empty() && from.empty()) return;
+            to.resize(vertex, zero);
+            append(to, from);
+            to.resize(vertex + read.mesh.vertices_m.size(), zero);
+        };
+        append_of_vertices(scene.mesh.normals, read.mesh.normals, Vec3f(Vec3f::Zero()));
+        append_of_vertices(scene.mesh.uvs, read.mesh.uvs, Vec2f(Vec2f::Zero()));
+        append(scene.textures, read.textures);
         append(scene.mesh.vertices_m, read.mesh.vertices_m);
         append(scene.mesh.quads, read.mesh.quads);
         append(scene.material_of_face, read.material_of_face);

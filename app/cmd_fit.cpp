@@ -105,6 +105,9 @@ void AddFit(CLI::App& program) {
                      "Replicates of the bootstrap over maps; 0 = none")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
+    command->add_flag("--forms", o->fit.compare_forms,
+                      "Also fit the other forms of the escape probability that were compared "
+                      "(docs/models.md)");
     command->add_flag("!--no-studies", o->fit.study_convergence,
                       "Leave out the studies of convergence and amplitude");
     AddCommon(*command, o->common);

@@ -13,6 +13,7 @@
 #include "fit/direct_factor.h"
 #include "fit/escape_bent.h"
 #include "fit/escape_family.h"
+#include "fit/escape_forms.h"
 #include "fit/escape_of_both.h"
 #include "fit/first_bounce.h"
 #include "fit/gtao_cubic.h"
@@ -105,6 +106,13 @@ std::span<const Model> AllModels() {
         Erased<EscapeOfAlphaClamped>(),
         Erased<EscapeBentOfV>(),
         Erased<EscapeOfBoth>(),
+        Erased<EscapeLinearOfV>(),
+        Erased<TwoEscapesLinearOfV>(),
+        Erased<EscapePowerOfAlpha>(),
+        Erased<EscapeOfClosures>(),
+        Erased<EscapeScaledOfBoth>(),
+        Erased<EscapeRaisedOfBoth>(),
+        Erased<TwoEscapesOfBoth>(),
         Erased<PlainAlphaModel>(),
         Erased<PlainVModel>(),
         Erased<GtaoCubicModel>(),

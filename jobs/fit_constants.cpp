@@ -10,6 +10,7 @@
 #include "fit/contender.h"
 #include "fit/escape_bent.h"
 #include "fit/escape_family.h"
+#include "fit/escape_forms.h"
 #include "fit/escape_of_both.h"
 #include "fit/leave_one_out.h"
 #include "fit/mayaux_faults.h"
@@ -82,6 +83,14 @@ class Fitter {
         RefittedTotal(ModelOf<EscapeOfV>(), report);
         RefittedTotal(ModelOf<EscapeBentOfV>(), report);
         RefittedTotal(ModelOf<EscapeOfBoth>(), report);
+        if (settings_.compare_forms) {
+            for (const std::string_view form :
+                 {EscapeLinearOfV::kName, TwoEscapesLinearOfV::kName, EscapePowerOfAlpha::kName,
+                  EscapeOfClosures::kName, EscapeScaledOfBoth::kName, EscapeRaisedOfBoth::kName,
+                  TwoEscapesOfBoth::kName}) {
+                RefittedTotal(FindModel(form), report);
+            }
+        }
         monitor_.Progress("fits", 0.6);
         HoldOut();
         monitor_.Progress("fits", 1);

@@ -13,37 +13,10 @@
 #include "fit/escape_bent.h"
 #include "fit/escape_of_both.h"
 #include "fit/mayaux_total.h"
+#include "tests/fit/light_laws.h"
 
 namespace plumb {
 namespace {
-
-// Two roundings of a number near 1.
-constexpr double kRounding = 4e-16;
-
-/// 0 and 1, both neighbourhoods to the last bit, and the middle.
-std::vector<double> Shares() {
-    std::vector<double> shares{0, 1e-300, 1e-17, 1e-9, 1 - 1e-9, std::nextafter(1.0, 0.0), 1};
-    for (int i = 1; i < 32; ++i) shares.push_back(i / 32.0);
-    return shares;
-}
-
-/// Every law of the family, at one point; `E` is a function of the albedo.
-void ExpectLaws(const std::function<double(double)>& E, double V, const std::string& where) {
-    std::vector<double> albedos = Shares();
-    std::sort(albedos.begin(), albedos.end());
-    double last = 0;
-    for (double rho : albedos) {
-        const double value = E(rho);
-        ASSERT_TRUE(std::isfinite(value)) << where << " rho " << rho;
-        EXPECT_GE(value, 0) << where << " rho " << rho;
-        EXPECT_LE(value, 1) << where << " rho " << rho;
-        EXPECT_GE(value, V - kRounding) << where << " rho " << rho;
-        EXPECT_GE(value, last - kRounding) << where << " rho " << rho;
-        last = value;
-    }
-    EXPECT_NEAR(E(0), V, kRounding) << where;
-    EXPECT_EQ(E(1), 1) << where;
-}
 
 /// The corners and middles of a model's bounds, far beyond them too: the laws need no bounds.
 const std::vector<double> kAnyFactor{-5, 0, 1e-12, 0.05, 0.5, 1, 4, 1e6};

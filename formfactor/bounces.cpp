@@ -30,6 +30,7 @@ double Closure(double rho_power, double rho, double R, double R_before) {
 void ForEachBounce(const Links& links, int bounces,
                    const std::function<void(int k, std::span<const double> E_k)>& visit,
                    Monitor& monitor) {
+    if (bounces < 0) throw Error(MustBe("bounces", bounces, ">= 0"));
     std::vector<double> E = links.V;
     for (int k = 0;; ++k) {
         visit(k, E);

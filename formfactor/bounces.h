@@ -26,7 +26,7 @@
 namespace plumb {
 
 /// E_0 ... E_K at albedo 1, handed over one after the other; `visit` gets k and E_k of every
-/// facet.
+/// facet. Throws Error unless bounces >= 0.
 void ForEachBounce(const Links& links, int bounces,
                    const std::function<void(int k, std::span<const double> E_k)>& visit,
                    Monitor& monitor = SilentMonitor());

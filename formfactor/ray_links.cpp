@@ -1,5 +1,8 @@
 #include "formfactor/ray_links.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/error.h"
 #include "core/sobol.h"
 #include "core/warp.h"
@@ -27,7 +30,8 @@ class RayRow {
             const Vec3 d = frame.ToWorld(local);
             const Vec3 x =
                 OriginM(f, options_.origins, options_.seed, number, std::uint32_t(k)) - corner;
-            const double w = uniform ? local.z() : 1, a = uniform ? 1 : 1 / local.z();
+            const double w = uniform ? local.z() : 1;
+            const double a = SolidAngleWeight(options_.distribution, local.z());
             cosine_all += w;
             solid_all += a;
             std::int64_t met = CastFromFacet(grid_, number, x, d, far_m_);
@@ -66,6 +70,11 @@ Vec3 RayDirection(const RayOptions& o, std::int64_t number, std::uint32_t k) {
     const Vec2 u = SobolOwenPair(k, 1, Absorb(o.seed, std::uint64_t(number)));
     return o.distribution == RayDistribution::kUniform ? SampleUniformHemisphere(u)
                                                        : SampleCosineHemisphere(u);
+}
+
+double SolidAngleWeight(RayDistribution distribution, double cosine) {
+    static const double kRim = std::exp2(-15.5);
+    return distribution == RayDistribution::kUniform ? 1 : 1 / std::max(cosine, kRim);
 }
 
 Links LinksByRays(const HeightField& field, const RayOptions& options, Monitor& monitor) {

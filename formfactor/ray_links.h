@@ -45,4 +45,9 @@ Links LinksByRays(const HeightField& field, const RayOptions& options = {},
 /// Direction k of the set of facet `number`, in the frame of its normal (z = n). Unit length.
 Vec3 RayDirection(const RayOptions& options, std::int64_t number, std::uint32_t k);
 
+/// a_k of a direction with that <n, d_k> >= 0, before it is divided by the sum. Finite: a point
+/// of a net on the rim of the disc stands for its cell of 2^-32, whose middle has
+/// <n, d> = 2^-15.5.
+double SolidAngleWeight(RayDistribution distribution, double cosine);
+
 }  // namespace plumb

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/error.h"
 #include "formfactor/make_links.h"
 #include "formfactor/slice_links.h"
 #include "formfactor/total.h"
@@ -54,6 +55,10 @@ TEST(ForEachBounce, TwoFacetsByHand) {
 
 TEST(ForEachBounce, NoBounceIsTheSkyAlone) {
     EXPECT_EQ(Bounces(TwoFacets(), 0).size(), 1u);
+}
+
+TEST(ForEachBounce, RefusesANegativeCount) {
+    EXPECT_THROW(ForEachBounce(TwoFacets(), -1, kIgnore), Error);
 }
 
 // Expected: E(rho) of the same: (V_0 + 3/4 rho V_1) / (1 - 3/8 rho^2), and likewise. The light

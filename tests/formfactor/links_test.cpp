@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -106,6 +107,16 @@ TEST(RayOptions, AreRefusedByNameValueAndRule) {
     options.rays = 1048577;
     EXPECT_EQ(MessageOf([&] { LinksByRays(RoughField(4, 4, 1), options); }),
               "RayOptions::rays = 1048577, must be in [1, 1048576]");
+}
+
+// Expected: 1/N of every uniform ray; 1/<n, d> of a cosine ray, and on the rim of the disc, where
+// that is infinite, of the middle of a net's last cell: r = 1 - 2^-32, z = sqrt(1 - r^2).
+TEST(SolidAngleWeight, IsFiniteOnTheRim) {
+    EXPECT_EQ(SolidAngleWeight(RayDistribution::kUniform, 0), 1);
+    EXPECT_EQ(SolidAngleWeight(RayDistribution::kCosine, 0.25), 4);
+    const double r = 1 - std::exp2(-32);
+    EXPECT_NEAR(SolidAngleWeight(RayDistribution::kCosine, 0), 1 / std::sqrt((1 - r) * (1 + r)),
+                1e-5);
 }
 
 }  // namespace

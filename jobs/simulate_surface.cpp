@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/conventions.h"
-#include "core/statistics.h"
 #include "formfactor/histogram.h"
 #include "formfactor/total.h"
 #include "heightfield/facet.h"
@@ -41,18 +40,28 @@ SurfaceFigures FiguresOf(const HeightField& field, const Links& links) {
     figures.links_per_facet = double(links.Count()) / n;
     figures.cut_short = links.mean_cut_short;
     double alpha = 0, V = 0, slope_rad = 0;
-    Moments aperture;
+    // Facets are sampled independently, so half the mean square of differences between like
+    // facets of neighbouring cells is the sampling's variance, plus what the surface itself
+    // changes from one cell to the next.
+    double aperture = 0, differences = 0;
+    double before[2] = {};
     for (std::int64_t i = 0; i < links.Facets(); ++i) {
         const double n_z = FacetOf(field, i).normal.z();
         alpha += links.alpha[std::size_t(i)];
         V += links.V[std::size_t(i)];
         slope_rad += std::acos(std::min(1.0, n_z));
-        aperture.Add(links.V[std::size_t(i)] / n_z);
+        const double x = links.V[std::size_t(i)] / n_z;
+        aperture += x;
+        if (i >= 2) differences += (x - before[i % 2]) * (x - before[i % 2]);
+        before[i % 2] = x;
     }
     figures.mean_alpha = alpha / n;
     figures.mean_V = V / n;
     figures.mean_slope_deg = slope_rad / n * 180 / kPi;
-    if (field.GetBoundary() != Boundary::kOpen) figures.aperture = aperture.Estimate();
+    if (field.GetBoundary() != Boundary::kOpen) {
+        figures.aperture =
+            Estimate{aperture / n, std::sqrt(differences / (2 * (n - 2)) / n), links.Facets()};
+    }
     return figures;
 }
 

@@ -32,7 +32,8 @@ struct SurfaceFigures {
     int bounces_run = 0;                  ///< Until the totals were settled; K or more.
 
     /// Plain mean of V / n_z per unit of ground area: 1 on a closed (wrapped or mirrored)
-    /// surface, whatever its shape. The standard error is that of the sampling.
+    /// surface, whatever its shape. The standard error is that of the sampling, from the
+    /// differences between neighbours: too large where the surface is rough from cell to cell.
     std::optional<Estimate> aperture;
 };
 

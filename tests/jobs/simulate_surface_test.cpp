@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/statistics.h"
 #include "formfactor/total.h"
 #include "heightfield/analytic_fields.h"
 #include "jobs/facet_scores.h"
@@ -52,6 +53,30 @@ TEST(SimulateSurface, SameBitsOnOneThreadAndOnTwo) {
             EXPECT_EQ(one.bounce[k].p95, two.bounce[k].p95);
         }
     }
+}
+
+// Expected: the error stated beside the mean of V / n_z is how much that mean scatters from seed
+// to seed. Tolerance: the scatter of 32 runs is itself sure to 1/sqrt(62), so 0.6 to 1.6 times
+// are 3 of its errors; the waves are smooth, so neighbours differ by chance alone.
+TEST(SimulateSurface, StatesTheErrorOfTheApertureIdentity) {
+    const HeightField waves = MakeSinusoid(
+        {.amplitude_m = 0.2, .periods_y = 1, .width_texels = 48, .height_texels = 48});
+    Moments means;
+    double stated = 0;
+    constexpr int kRuns = 32;
+    for (int run = 0; run < kRuns; ++run) {
+        SimulateSettings settings = Brief();
+        settings.method = LinkMethod::kRays;
+        settings.rays.seed = std::uint64_t(run) + 1;
+        settings.bounces = 0;
+        const SurfaceLight light = SimulateSurface("waves", waves, settings);
+        means.Add(light.figures.aperture->mean);
+        stated += light.figures.aperture->standard_error / kRuns;
+    }
+    const double scatter = means.Estimate().standard_error * std::sqrt(double(kRuns));
+    EXPECT_GT(stated, 0.6 * scatter);
+    EXPECT_LT(stated, 1.6 * scatter);
+    EXPECT_NEAR(means.Estimate().mean, 1, 4 * means.Estimate().standard_error);
 }
 
 // Expected: alpha = V = 1 and no bounce, exactly: a flat field hides nothing.

@@ -8,6 +8,7 @@
 
 #include "core/image.h"
 #include "core/vec.h"
+#include "screen_space/depth_format.h"
 #include "screen_space/view.h"
 
 namespace plumb {
@@ -17,11 +18,17 @@ struct GBuffer {
     static constexpr float kSkyZ = -std::numeric_limits<float>::infinity();
 
     View view;
-    Image<float> z_m;                ///< Of the camera's frame, < 0; kSkyZ where the sky is seen.
-    Image<std::uint32_t> triangle;   ///< 2 face + half, as truth/ numbers them; kSky for the sky.
-    Image<Vec3f> face_normal;        ///< Unit, camera's frame, towards the viewer; 0 for the sky.
-    Image<Vec3f> shading_normal;     ///< Interpolated; the face's where the mesh has none.
-    Image<Rgb> albedo;               ///< 0 for the sky.
+    Image<float> z_m;  ///< Of the camera's frame, < 0; kSkyZ where the sky is seen.
+    Image<std::uint32_t>
+        triangle;                 ///< 2 face + half, as truth/ numbers them; kSky for the sky.
+    Image<Vec3f> face_normal;     ///< Unit, camera's frame, towards the viewer; 0 for the sky.
+    Image<Vec3f> shading_normal;  ///< Interpolated; the face's where the mesh has none.
+    Image<Rgb> albedo;            ///< 0 for the sky.
+
+    // The depth buffer that the picture was drawn with.
+    DepthFormat format = DepthFormat::kD32FReversed;
+    DepthRange range;
+    Image<std::uint32_t> depth;  ///< As stored: see DecodeDepth.
 };
 
 }  // namespace plumb

@@ -1,0 +1,22 @@
+// A scene through a camera, drawn by the reference rasterizer.
+//
+// First depth and triangle number (screen_space/rasterizer.h), then, from the triangle of each
+// pixel, everything else at the pixel's centre, perspective-correct and in double.
+#pragma once
+
+#include "core/scene.h"
+#include "screen_space/gbuffer.h"
+#include "screen_space/raster_options.h"
+#include "screen_space/rasterizer.h"
+
+namespace plumb {
+
+/// Throws Error if the scene's mesh, the camera or the options are not valid.
+GBuffer DrawGBuffer(const Scene& scene, const Camera& camera,
+                    const RasterOptions& options = {});
+
+/// The same with the memory of an earlier picture.
+GBuffer DrawGBuffer(Rasterizer& rasterizer, const Scene& scene, const Camera& camera,
+                    const RasterOptions& options);
+
+}  // namespace plumb

@@ -1,0 +1,154 @@
+#include "screen_space/rasterizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "screen_space/draw_in_tile.h"
+#include "screen_space/gbuffer.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::int64_t kFacesAtATime = 8192;
+
+void CheckIndices(const Mesh& mesh, std::int64_t face) {
+    const std::size_t vertices = mesh.vertices_m.size();
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::uint32_t index = mesh.quads[std::size_t(face)][k];
+        if (index >= vertices) {
+            throw Error(
+                MustBe("mesh: quads[" + std::to_string(face) + "][" + std::to_string(k) + "]",
+                       index, "< " + std::to_string(vertices) + ", the vertices"));
+        }
+    }
+}
+
+// The same as DrawInTile for one triangle, asking at each pixel that passes the depth test.
+template <class Opaque>
+void DrawWithHoles(const TileTriangle& t, DepthFormat format, bool with_triangles,
+                   const Opaque& opaque, Tile& tile) {
+    for (int j = t.j_0; j <= t.j_1; ++j) {
+        for (int i = t.i_0; i <= t.i_1; ++i) {
+            bool covered = true;
+            for (std::size_t k = 0; k < 3; ++k) {
+                covered &= t.F[k] + t.dx[k] * j - t.dy[k] * i >= 0;
+            }
+            if (!covered) continue;
+            const float e = (t.e + t.e_y * float(j)) + t.e_x * float(i);
+            const float key = KeyOf(format, std::min(std::max(e, t.e_min), t.e_max));
+            const std::size_t at = std::size_t(j) * kTileStride + std::size_t(i);
+            if (!(key > tile.key[at]) || !opaque(i, j)) continue;
+            tile.key[at] = key;
+            if (with_triangles) tile.triangle[at] = t.triangle;
+        }
+    }
+}
+
+template <class T>
+void Resize(Image<T>& image, int width, int height) {
+    if (image.Width() != width || image.Height() != height) image = Image<T>(width, height);
+}
+
+}  // namespace
+
+const VisibilityBuffer& Rasterizer::Draw(const Mesh& mesh, const Camera& camera,
+                                         const RasterOptions& options, bool with_triangles,
+                                         const AlphaTest* alpha_test) {
+    Validate(options);
+    out_.view = ViewOf(camera, options.guard_px);
+    out_.format = options.depth;
+    out_.range = options.range;
+    Resize(out_.depth, out_.view.DrawnWidth(), out_.view.DrawnHeight());
+    if (with_triangles) {
+        Resize(out_.triangle, out_.view.DrawnWidth(), out_.view.DrawnHeight());
+    } else {
+        out_.triangle = {};
+    }
+    TransformVertices(mesh, camera, out_.view, options, vertices_);
+    SortIntoTiles(mesh, options, alpha_test);
+    const TileGrid grid(out_.view);
+    ParallelFor(grid.Tiles(), 1, [&](std::int64_t tile, std::int64_t) {
+        DrawTile(mesh, int(tile) % grid.columns, int(tile) / grid.columns, with_triangles,
+                 alpha_test);
+    });
+    return out_;
+}
+
+void Rasterizer::SortIntoTiles(const Mesh& mesh, const RasterOptions& options,
+                               const AlphaTest* alpha_test) {
+    const PictureMap map(out_.view);
+    const TileGrid grid(out_.view);
+    const std::int64_t faces = std::int64_t(mesh.quads.size());
+    chunks_.resize(std::size_t((faces + kFacesAtATime - 1) / kFacesAtATime));
+    ParallelFor(faces, kFacesAtATime, [&](std::int64_t begin, std::int64_t end) {
+        Bins& bins = chunks_[std::size_t(begin / kFacesAtATime)];
+        bins.Clear();
+        for (std::int64_t f = begin; f < end; ++f) {
+            CheckIndices(mesh, f);
+            const std::uint32_t face = std::uint32_t(f);
+            const bool tested = alpha_test != nullptr && alpha_test->tested(face);
+            const auto& quad = mesh.quads[face];
+            const int halves = quad[2] == quad[3] ? 1 : 2;
+            for (int half = 0; half < halves; ++half) {
+                const std::uint32_t triangle = 2 * face + std::uint32_t(half);
+                const auto corners = CornersOfTriangle(mesh, triangle);
+                bins.Add(
+                    {&vertices_[corners[0]], &vertices_[corners[1]], &vertices_[corners[2]]},
+                    triangle, tested, map, grid, options);
+            }
+        }
+        bins.SortByTile(grid);
+    });
+}
+
+void Rasterizer::DrawTile(const Mesh& mesh, int column, int row, bool with_triangles,
+                          const AlphaTest* alpha_test) {
+    const DepthFormat format = out_.format;
+    const int tile_number = row * TileGrid(out_.view).columns + column;
+    Tile tile;
+    tile.key.fill(KeyOf(format, 0));
+    if (with_triangles) tile.triangle.fill(GBuffer::kSky);
+    std::vector<TileTriangle> ready;
+    for (const Bins& bins : chunks_) {
+        for (const std::uint32_t number : bins.OfTile(tile_number)) {
+            const ScreenTriangle& triangle = bins[number];
+            const TileTriangle here = InTile(triangle, column, row);
+            if (triangle.alpha_tested == 0) {
+                ready.push_back(here);
+                continue;
+            }
+            DrawInTile(ready, format, with_triangles, tile);
+            ready.clear();
+            const auto c = CornersOfTriangle(mesh, triangle.triangle);
+            const std::array<Vec3, 3> corners{vertices_[c[0]].P, vertices_[c[1]].P,
+                                              vertices_[c[2]].P};
+            DrawWithHoles(
+                here, format, with_triangles,
+                [&](int i, int j) {
+                    return alpha_test->opaque(triangle.triangle, corners,
+                                              column * kTilePx + i + 0.5,
+                                              row * kTilePx + j + 0.5);
+                },
+                tile);
+        }
+        DrawInTile(ready, format, with_triangles, tile);
+        ready.clear();
+    }
+    const int i_0 = column * kTilePx, j_0 = row * kTilePx;
+    const int width = std::min(kTilePx, out_.view.DrawnWidth() - i_0);
+    const int height = std::min(kTilePx, out_.view.DrawnHeight() - j_0);
+    for (int j = 0; j < height; ++j) {
+        const std::size_t from = std::size_t(j) * kTileStride;
+        std::uint32_t* const depth = &out_.depth(i_0, j_0 + j);
+        for (int i = 0; i < width; ++i) {
+            depth[i] = BitsOfKey(format, tile.key[from + std::size_t(i)]);
+        }
+        if (!with_triangles) continue;
+        std::copy_n(&tile.triangle[from], width, &out_.triangle(i_0, j_0 + j));
+    }
+}
+
+}  // namespace plumb

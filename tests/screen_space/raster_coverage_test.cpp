@@ -1,0 +1,110 @@
+// Which pixels triangles cover: the published examples, and each pixel of a surface once.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "core/random.h"
+#include "screen_space/draw_gbuffer.h"
+#include "screen_space/rasterizer.h"
+#include "tests/screen_space/flat_scenes.h"
+
+namespace plumb {
+namespace {
+
+using Pixels = std::set<std::pair<int, int>>;
+
+Pixels Covered(const Mesh& mesh, const Camera& camera, const RasterOptions& options = {}) {
+    Rasterizer rasterizer;
+    const VisibilityBuffer& seen = rasterizer.Draw(mesh, camera, options);
+    Pixels out;
+    for (int j = 0; j < seen.triangle.Height(); ++j) {
+        for (int i = 0; i < seen.triangle.Width(); ++i) {
+            if (seen.triangle(i, j) != GBuffer::kSky) out.insert({i, j});
+        }
+    }
+    return out;
+}
+
+// Expected: facts/screen_space.md 5, the example of Direct3D's documentation: 15 and 10 pixels,
+// no overlap. The diagonal passes through five pixel centres; it is a left edge of the first
+// triangle only.
+TEST(RasterCoverage, Direct3DExampleTriangles) {
+    const Camera camera = PixelCamera(8, 8);
+    const auto at = [&](double x, double y) { return AtPixel(camera, x, y); };
+    const Pixels upper = Covered(OneTriangle(at(0, 0), at(5, 0), at(5, 5)), camera);
+    const Pixels lower = Covered(OneTriangle(at(0, 5), at(0, 0), at(5, 5)), camera);
+    Pixels all = upper;
+    all.insert(lower.begin(), lower.end());
+    EXPECT_EQ(upper.size(), 15u);
+    EXPECT_EQ(lower.size(), 10u);
+    EXPECT_EQ(all.size(), 25u);
+    EXPECT_TRUE(upper.contains({0, 0}));
+    EXPECT_TRUE(upper.contains({4, 4}));
+    // Turned over: the same pixels.
+    EXPECT_EQ(Covered(OneTriangle(at(5, 0), at(0, 0), at(5, 5)), camera), upper);
+}
+
+// Every triangle of a mesh drawn alone, counted.
+Image<int> Counts(const Mesh& mesh, const Camera& camera, const RasterOptions& options = {}) {
+    Rasterizer rasterizer;
+    Image<int> counts(camera.width_px, camera.height_px);
+    Mesh one;
+    one.vertices_m = mesh.vertices_m;
+    for (std::uint32_t t = 0; t < 2 * mesh.quads.size(); ++t) {
+        if (t % 2 == 1 && mesh.quads[t / 2][2] == mesh.quads[t / 2][3]) continue;
+        const auto [a, b, c] = CornersOfTriangle(mesh, t);
+        one.quads = {{a, b, c, c}};
+        const VisibilityBuffer& seen = rasterizer.Draw(one, camera, options);
+        for (std::size_t p = 0; p < counts.Pixels().size(); ++p) {
+            counts.Pixels()[p] += seen.triangle.Pixels()[p] != GBuffer::kSky;
+        }
+    }
+    return counts;
+}
+
+// A sheet over the whole picture and beyond, its vertices thrown about at random, some of them
+// exactly onto pixel centres and corners.
+Mesh RandomSheet(const Camera& camera, int n, double margin_px, std::uint64_t seed) {
+    Mesh mesh;
+    const double w = camera.width_px + 2 * margin_px, h = camera.height_px + 2 * margin_px;
+    for (int j = 0; j <= n; ++j) {
+        for (int i = 0; i <= n; ++i) {
+            const auto random = [&](int k) { return RandomUnit(seed, j * (n + 1) + i, 0, k); };
+            double x = w * i / n - margin_px, y = h * j / n - margin_px;
+            if (i > 0 && i < n && j > 0 && j < n) {
+                x += 0.24 * w / n * (2 * random(0) - 1);
+                y += 0.24 * h / n * (2 * random(1) - 1);
+                const double grid = random(2) < 0.3 ? 0.5 : random(2) < 0.5 ? 1 : 1.0 / 1024;
+                x = std::round(x / grid) * grid;
+                y = std::round(y / grid) * grid;
+            }
+            mesh.vertices_m.push_back(AtPixel(camera, x, y, 1 + random(3)));
+        }
+    }
+    const std::uint32_t row = std::uint32_t(n) + 1;
+    for (std::uint32_t j = 0; j + 1 < row; ++j) {
+        for (std::uint32_t i = 0; i + 1 < row; ++i) {
+            const std::uint32_t a = j * row + i;
+            mesh.quads.push_back({a, a + 1, a + row + 1, a + row});
+        }
+    }
+    return mesh;
+}
+
+// Expected: 1 everywhere, by the definition of a fill rule: a sheet without folds covers each
+// centre once. Corners thrown by less than 1/4 of a quad keep every quad convex.
+TEST(RasterCoverage, EverySharedEdgeIsDrawnOnce) {
+    const Camera camera = PixelCamera(96, 80);
+    for (const double margin : {3.0, 40.0, 6000.0}) {
+        const Mesh mesh = RandomSheet(camera, 9, margin, 7);
+        const Image<int> counts = Counts(mesh, camera);
+        for (const int count : counts.Pixels()) ASSERT_EQ(count, 1) << margin;
+    }
+}
+
+}  // namespace
+}  // namespace plumb

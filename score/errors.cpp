@@ -1,0 +1,184 @@
+#include "score/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/distributions.h"
+#include "core/error.h"
+#include "core/intervals.h"
+#include "score/pixels.h"
+
+namespace plumb {
+namespace {
+
+struct TileSums {
+    std::int64_t n = 0;
+    double d = 0, abs_d = 0, d2_less_s2 = 0;
+    double s2 = 0, v = 0, abs_bias = 0;
+    double max = -1;
+    int max_column = 0, max_row = 0;
+};
+
+std::vector<std::int64_t> Counts(const std::vector<TileSums>& tiles) {
+    std::vector<std::int64_t> n;
+    for (const TileSums& tile : tiles) n.push_back(tile.n);
+    return n;
+}
+
+std::vector<double> Sums(const std::vector<TileSums>& tiles, double TileSums::*member) {
+    std::vector<double> y;
+    for (const TileSums& tile : tiles) y.push_back(tile.*member);
+    return y;
+}
+
+double Total(const std::vector<TileSums>& tiles, double TileSums::*member) {
+    double sum = 0;
+    for (const TileSums& tile : tiles) sum += tile.*member;
+    return sum;
+}
+
+/// sqrt MSE and PSNR are monotone in the MSE: its interval carries over end by end.
+Figure RmseOf(const Figure& mse) {
+    const auto root = [](double x) { return std::sqrt(std::max(x, 0.0)); };
+    Figure rmse{.value = root(mse.value),
+                .interval = {root(mse.interval.low), root(mse.interval.high)}};
+    const double slope = 1 / (2 * rmse.value);
+    // At 0 the slope is infinite: the interval is all there is to say.
+    if (mse.standard_error == 0) rmse.standard_error = 0;
+    if (rmse.value > 0) {
+        rmse.standard_error = slope * mse.standard_error;
+        rmse.noise_error = slope * mse.noise_error;
+    }
+    return rmse;
+}
+
+Figure PsnrOf(const Figure& mse, double peak) {
+    Figure psnr{.value = PsnrDb(mse.value, peak),
+                .interval = {PsnrDb(mse.interval.high, peak), PsnrDb(mse.interval.low, peak)}};
+    if (mse.standard_error == 0) psnr.standard_error = 0;
+    if (mse.value > 0) {
+        const double slope = 10 / (std::numbers::ln10 * mse.value);
+        psnr.standard_error = slope * mse.standard_error;
+        psnr.noise_error = slope * mse.noise_error;
+    }
+    return psnr;
+}
+
+}  // namespace
+
+double PsnrDb(double mse, double peak) {
+    if (mse <= 0) return std::numeric_limits<double>::infinity();
+    return 10 * std::log10(peak * peak / mse);
+}
+
+void Validate(const ErrorOptions& options) {
+    if (!(options.confidence > 0 && options.confidence < 1))
+        throw Error(MustBe("ErrorOptions::confidence", options.confidence, "in (0, 1)"));
+    if (options.tile_px < 0 || options.tile_px > 65536)
+        throw Error(MustBe("ErrorOptions::tile_px", options.tile_px, "in [0, 65536]"));
+    if (!(options.truth_dof > 0))
+        throw Error(MustBe("ErrorOptions::truth_dof", options.truth_dof, "> 0"));
+}
+
+ErrorScore ScoreErrors(const Image<float>& candidate, const Image<float>& truth,
+                       const Image<float>& standard_error, const Mask& mask,
+                       const ErrorOptions& options) {
+    Validate(options);
+    CheckSizes(candidate, truth, standard_error, mask);
+    const Tiling tiling(truth.Width(), truth.Height(), options.tile_px);
+    const double nu = options.truth_dof;
+    const double s4_factor =
+        std::isinf(nu) ? -2 : -4 + (2 + 10 / nu) * nu / (nu + 2);  // Of v, see the header.
+
+    std::vector<TileSums> tiles(tiling.Count());
+    const auto add = [&](TileSums& sums, int i, int j, double s2) {
+        const double d =
+            FinitePixel(candidate, i, j, "candidate") - FinitePixel(truth, i, j, "truth");
+        const double d2 = d * d;
+        ++sums.n;
+        sums.d += d;
+        sums.abs_d += std::abs(d);
+        sums.d2_less_s2 += d2 - s2;
+        sums.s2 += s2;
+        sums.v += 4 * d2 * s2 + s4_factor * s2 * s2;
+        if (s2 > 0) {
+            sums.abs_bias +=
+                2 * std::numbers::inv_sqrtpi * std::sqrt(s2) * std::exp(-d2 / (2 * s2));
+        }
+        if (std::abs(d) > sums.max) {
+            sums.max = std::abs(d);
+            sums.max_column = i;
+            sums.max_row = j;
+        }
+    };
+    ForEachCounted(tiling, standard_error, mask,
+                   [&](int tile, int i, int j, double s2) { add(tiles[tile], i, j, s2); });
+
+    ErrorScore score;
+    const std::vector<std::int64_t> n = Counts(tiles);
+    for (std::int64_t count : n) {
+        score.pixels += count;
+        score.tiles += count > 0;
+    }
+    if (score.pixels == 0) return score;
+    const double N = double(score.pixels);
+    score.truth_variance = Total(tiles, &TileSums::s2) / N;
+    score.mae_noise_bias = Total(tiles, &TileSums::abs_bias) / N;
+
+    score.bias = RatioOverTiles(tiling, Sums(tiles, &TileSums::d), n, options.confidence);
+    score.bias.noise_error = std::sqrt(Total(tiles, &TileSums::s2)) / N;
+    score.mae = RatioOverTiles(tiling, Sums(tiles, &TileSums::abs_d), n, options.confidence);
+    score.mae.noise_error = score.bias.noise_error;  // |d| spreads no more than d.
+    score.mae.interval.low = std::max(0.0, score.mae.interval.low - score.mae_noise_bias);
+    score.mse =
+        RatioOverTiles(tiling, Sums(tiles, &TileSums::d2_less_s2), n, options.confidence);
+    score.mse.noise_error = std::sqrt(std::max(0.0, Total(tiles, &TileSums::v))) / N;
+    score.rmse = RmseOf(score.mse);
+    score.psnr_db = PsnrOf(score.mse, 1);
+    score.psnr_paper_db = PsnrOf(score.mse, kPaperPeak);
+
+    for (const TileSums& tile : tiles) {
+        if (tile.n == 0 || tile.max <= score.max) continue;
+        score.max = tile.max;
+        score.max_column = tile.max_column;
+        score.max_row = tile.max_row;
+    }
+    const double z = NormalQuantile(1 - SidakLevel(1 - options.confidence, score.pixels) / 2);
+    std::vector<double> at_least(tiling.Count(), 0.0);
+    ForEachCounted(tiling, standard_error, mask, [&](int tile, int i, int j, double s2) {
+        const double d = double(candidate(i, j)) - double(truth(i, j));
+        at_least[tile] = std::max(at_least[tile], std::abs(d) - z * std::sqrt(s2));
+    });
+    score.max_at_least = *std::max_element(at_least.begin(), at_least.end());
+    return score;
+}
+
+Figure CompareMse(const Image<float>& a, const Image<float>& b, const Image<float>& truth,
+                  const Image<float>& standard_error, const Mask& mask,
+                  const ErrorOptions& options) {
+    Validate(options);
+    CheckSizes(a, truth, standard_error, mask);
+    CheckSizes(b, truth, standard_error, mask);
+    const Tiling tiling(truth.Width(), truth.Height(), options.tile_px);
+    std::vector<TileSums> tiles(tiling.Count());
+    ForEachCounted(tiling, standard_error, mask, [&](int tile, int i, int j, double s2) {
+        const double A = FinitePixel(a, i, j, "candidate");
+        const double B = FinitePixel(b, i, j, "candidate");
+        TileSums& sums = tiles[tile];
+        ++sums.n;
+        sums.d += (A - B) * (A + B - 2 * FinitePixel(truth, i, j, "truth"));
+        sums.v += 4 * (A - B) * (A - B) * s2;
+    });
+    const std::vector<std::int64_t> n = Counts(tiles);
+    Figure figure = RatioOverTiles(tiling, Sums(tiles, &TileSums::d), n, options.confidence);
+    double N = 0;
+    for (std::int64_t count : n) N += double(count);
+    if (N > 0) figure.noise_error = std::sqrt(Total(tiles, &TileSums::v)) / N;
+    return figure;
+}
+
+}  // namespace plumb

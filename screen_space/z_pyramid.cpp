@@ -1,0 +1,88 @@
+#include "screen_space/z_pyramid.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <string>
+
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace plumb {
+namespace {
+
+constexpr float kSky = -std::numeric_limits<float>::infinity();
+constexpr float kFarthest = -1e18f, kNearest = -1e-18f;  // their squares are finite floats
+
+// Rows whose starts lie a multiple of 4 KiB apart compete for the same lines of the cache.
+int Pitch(int width) {
+    const int lanes = 16, whole = (width + lanes - 1) / lanes * lanes;
+    return whole % 1024 == 0 ? whole + lanes : whole;
+}
+
+[[noreturn]] void ThrowBadDepth(const Image<float>& z_m, int j) {
+    for (int i = 0; i < z_m.Width(); ++i) {
+        const float z = z_m(i, j);
+        if (!(z >= kFarthest && z <= kNearest) && z != kSky) {
+            throw Error(
+                MustBe("GBuffer::z_m(" + std::to_string(i) + ", " + std::to_string(j) + ")", z,
+                       "in [-1e18, -1e-18] or the sky's -inf"));
+        }
+    }
+    throw Error("GBuffer::z_m: row " + std::to_string(j) + " is not a depth");
+}
+
+}  // namespace
+
+ZPyramid::ZPyramid(const Image<float>& z_m, ZFilter filter, int coarsest)
+    : coarsest_(coarsest) {
+    assert(!z_m.Empty() && 0 <= coarsest && coarsest < kMostLevels);
+    int width = z_m.Width(), height = z_m.Height();
+    std::int32_t offset = 0;
+    for (int level = 0; level <= coarsest; ++level) {
+        levels_[std::size_t(level)] = {width, height, Pitch(width), offset};
+        offset += Pitch(width) * height;
+        width = (width + 1) / 2;
+        height = (height + 1) / 2;
+    }
+    texels_ = std::make_unique_for_overwrite<float[]>(std::size_t(offset));
+    CopyFinest(z_m);
+    for (int level = 1; level <= coarsest; ++level) Minify(filter, level);
+}
+
+void ZPyramid::CopyFinest(const Image<float>& z_m) {
+    const int width = z_m.Width();
+    ParallelFor(z_m.Height(), 16, [&](std::int64_t begin, std::int64_t end) {
+        for (int j = int(begin); j < int(end); ++j) {
+            const float* from = &z_m(0, j);
+            float* to = &texels_[std::size_t(j) * levels_[0].pitch];
+            int good = 0;
+            for (int i = 0; i < width; ++i) {
+                const float z = from[i];
+                to[i] = z;
+                good += int((z >= kFarthest) & (z <= kNearest)) | int(z == kSky);
+            }
+            if (good != width) ThrowBadDepth(z_m, j);
+        }
+    });
+}
+
+void ZPyramid::Minify(ZFilter filter, int level) {
+    const Level fine = At(level - 1), coarse = At(level);
+    ParallelFor(coarse.height, 16, [&](std::int64_t begin, std::int64_t end) {
+        for (int y = int(begin); y < int(end); ++y) {
+            const float* const rows[2] = {
+                &texels_[std::size_t(fine.offset + 2 * y * fine.pitch)],
+                &texels_[std::size_t(fine.offset +
+                                     std::min(2 * y + 1, fine.height - 1) * fine.pitch)]};
+            float* to = &texels_[std::size_t(coarse.offset + y * coarse.pitch)];
+            for (int x = 0; x < coarse.width; ++x) {
+                to[x] = Minified<float>(filter, x, y, [&](int i, int j) {
+                    return rows[j][std::min(2 * x + i, fine.width - 1)];
+                });
+            }
+        }
+    });
+}
+
+}  // namespace plumb

@@ -17,7 +17,7 @@ bool Holds(const Figure& figure, double expected) {
     return figure.interval.low <= expected && expected <= figure.interval.high;
 }
 
-// Errors are kMean + kSigma times noise that is correlated over 3 pixels, in tiles of 6; so the
+// Errors are kMean + kSigma times noise that is correlated over 4 pixels, in tiles of 6; so the
 // population's bias, MSE, and MAE (of a normal with that mean: sigma sqrt(2/pi) exp(-m^2 / 2
 // sigma^2) + m erf(m / (sigma sqrt 2))) are known. A quarter of the picture is masked. The
 // truth is noisy, which the MSE must not show.
@@ -32,7 +32,7 @@ TEST(Coverage, OfBiasMaeAndMse) {
 
     int bias_held = 0, mae_held = 0, mse_held = 0, rmse_held = 0, psnr_held = 0;
     for (int run = 0; run < kRuns; ++run) {
-        const Image<float> noise = CorrelatedNoise(kSize, kSize, 3, 7, run);
+        const Image<float> noise = CorrelatedNoise(kSize, kSize, 4, 7, run);
         const auto candidate = MadeImage<float>(
             kSize, kSize, [&](int i, int j) { return 0.5 + kMean + kSigma * noise(i, j); });
         const auto noisy = MadeImage<float>(kSize, kSize, [&](int i, int j) {

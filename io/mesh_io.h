@@ -25,7 +25,7 @@ struct MeshFileOptions {
     bool textures = true;    ///< False: materials keep their constant colours.
     /// Whether textures with an opacity cut holes; unset: as the file says (glTF's MASK, OBJ's
     /// map_d).
-    std::optional<bool> alpha_tested;
+    std::optional<bool> alpha_tested = {};
 };
 
 struct MeshFile {

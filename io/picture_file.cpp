@@ -89,7 +89,9 @@ Picture DecodePicture(std::string_view bytes, const std::string& name, PictureOf
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
     OIIO::ImageSpec wishes;
     wishes["oiio:UnassociatedAlpha"] = 1;  // Stored colours, not colours times alpha.
-    const auto input = OIIO::ImageInput::open("picture." + format, &wishes, &memory);
+    OIIO::Filesystem::IOProxy* source = &memory;
+    wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &source);
+    const auto input = OIIO::ImageInput::open("picture." + format, &wishes);
     if (!input) throw Error(name + ": cannot be read: " + FirstLine(OIIO::geterror()));
     const OIIO::ImageSpec spec = input->spec();
     CheckImageSize(name, spec.width, spec.height, spec.nchannels, max_numbers);

@@ -140,6 +140,72 @@ TEST(EmbreeCaster, AnyAndClosestAgree) {
     EXPECT_EQ(bare.AnyStream(0, rays.size()), met);
 }
 
+// Expected: a texture of two texels, solid and hole, mixes to 1/2 half the way between their
+// centres: what is solid are the stripes 2 u in (2 k, 2 k + 1) on the quad, and the same on the
+// triangle beside it; the board behind the first quad has no holes. Rays within 1e-3 of an edge
+// of a stripe are left to either answer.
+TEST(EmbreeCaster, SeesThroughHoles) {
+    Scene scene;
+    AddQuad(scene.mesh, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1});
+    AddTriangle(scene.mesh, {2, 0, 1}, {3, 0, 1}, {2, 1, 1});
+    AddQuad(scene.mesh, {0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2});
+    scene.mesh.uvs = {{0, 0}, {3, 0}, {3, 1}, {0, 1}, {0, 0}, {3, 0},
+                      {0, 1}, {0, 0}, {3, 0}, {3, 1}, {0, 1}};
+    scene.material_of_face = {0, 0, 1};
+    scene.materials = {{.name = "fence", .texture = 0, .alpha_tested = true},
+                       {.name = "board", .texture = 0}};
+    Texture stripes{.name = "", .albedo = Image<Rgb>(2, 1, Rgb{1, 1, 1}), .opacity = {}};
+    stripes.opacity = Image<float>(2, 1);
+    stripes.opacity(0, 0) = 1;
+    scene.textures = {stripes};
+    const EmbreeCaster caster(scene);
+    std::vector<Ray> rays;
+    std::vector<std::uint32_t> expected;
+    for (int i = 0; i < 4000; ++i) {
+        const Vec3 p = RandomPoint(3, std::uint64_t(i), 0);
+        const bool left = i % 2 == 0;
+        if (!left && p.x() + p.y() > 0.999) continue;
+        const double stripe = std::fmod(6 * p.x(), 2);
+        if (std::abs(stripe - std::round(stripe)) < 6e-3) continue;
+        Ray ray;
+        ray.origin_m = Vec3(p.x() + (left ? 0 : 2), p.y(), 0).cast<float>();
+        ray.far = left ? 5.0f : 1.5f;
+        rays.push_back(ray);
+        const std::uint32_t half = p.x() + p.y() > 1 ? 1 : 0;
+        expected.push_back(stripe < 1 ? (left ? half : 2) : left ? 4 + half : Hit::kNone);
+    }
+    std::vector<Hit> hits(rays.size());
+    caster.Closest(rays, hits);
+    std::vector<std::uint64_t> met(BitWords(rays.size()));
+    caster.Any(rays, met);
+    int through = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const bool near_diagonal =
+            i < rays.size() && std::abs(rays[i].origin_m.x() + rays[i].origin_m.y() - 1) < 1e-3;
+        if (near_diagonal) continue;
+        ASSERT_EQ(hits[i].triangle, expected[i]) << rays[i].origin_m.transpose();
+        EXPECT_EQ((met[i / 64] >> (i % 64)) & 1, expected[i] == Hit::kNone ? 0u : 1u);
+        through += expected[i] == Hit::kNone;
+    }
+    EXPECT_GT(through, 200);
+    // From one point: the same question as Any.
+    Ray common;
+    common.origin_m = {2.5f, 0.3f, 0};
+    common.far = 1.5f;
+    std::vector<Vec3f> directions;
+    std::vector<Ray> same;
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 w = RandomPoint(4, std::uint64_t(i), 0) - Vec3(0.5, 0.5, -0.5);
+        directions.push_back(w.cast<float>());
+        same.push_back(common);
+        same.back().direction = directions.back();
+    }
+    std::vector<std::uint64_t> from(BitWords(1000)), any(BitWords(1000));
+    caster.AnyFromPoint(common, directions, from);
+    caster.Any(same, any);
+    EXPECT_EQ(from, any);
+}
+
 TEST(EmbreeCaster, KeepsZeroAreaTrianglesOutAndCountsThem) {
     Mesh mesh;
     AddQuad(mesh, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});

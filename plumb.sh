@@ -59,7 +59,7 @@ build() {
 demo() {
   build release plumb
   cd "$here"
-  build/release/app/plumb fit data/heightmaps/{stone_wall,bricks,cobbles,jacksboro}.png \
+  build/release/app/plumb fit data/heightmaps/{stone_wall,bricks,cobbles,jacksboro,finland}.png \
     make:gravel:128 make:hex_tiles:128 make:shapes:128 make:terrain:128 \
     --slices 16 --starts 4 --bootstrap 20 --out out/demo
   say "open out/demo/report.html in a browser; the shader headers are beside it"

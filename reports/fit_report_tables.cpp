@@ -136,11 +136,11 @@ void WriteTable(std::ostream& out, const FitReport& report) {
 
     if (report.formulas.empty()) return;
     out << "\nError of E(rho), mean over the maps [-]\n\n"
-        << Left("formula", 38) << Left("from", 10) << Right("RMS", 9) << Right("max", 9)
+        << Left("formula", 46) << Left("from", 10) << Right("RMS", 9) << Right("max", 9)
         << Right("held out", 10) << Right("facets", 9) << Right("poles", 7) << '\n';
     for (const FormulaRecord& record : report.formulas) {
         const Score& score = record.in_sample.pooled;
-        out << Left(record.name + (record.name == report.recommended ? " *" : ""), 38)
+        out << Left(record.name + (record.name == report.recommended ? " *" : ""), 46)
             << Left(parts::Inputs(record.formula.model, ", "), 10)
             << Right(Digits(score.rms), 9) << Right(Digits(score.max_abs), 9)
             << Right(record.held_out ? Digits(record.held_out->pooled.rms) : "–", 10)

@@ -29,14 +29,6 @@ void SetDepth(const std::array<Vec3, 3>& P, const PictureMap& map, const DepthCu
     }
 }
 
-// Pixels whose centres lie within [low, high] in fixed point.
-int FirstPixel(std::int32_t low) {
-    return (low + kSubPixels / 2 - 1) >> 8;
-}
-int LastPixel(std::int32_t high) {
-    return (high - kSubPixels / 2) >> 8;
-}
-
 }  // namespace
 
 void Bins::Clear() {

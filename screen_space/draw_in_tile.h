@@ -37,7 +37,7 @@ struct TileTriangle {
     std::uint32_t triangle = 0;
 };
 
-/// What the tile at (column, row) sees of the triangle; i_0 > i_1 if nothing.
+/// What the tile at (column, row) sees of the triangle; i_0 > i_1 or j_0 > j_1 if nothing.
 TileTriangle InTile(const ScreenTriangle& triangle, int column, int row);
 
 /// Draws the triangles in order; their numbers only if `with_triangles`.

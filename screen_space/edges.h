@@ -53,6 +53,14 @@ inline std::int64_t TwiceArea(const FixedPoint& a, const FixedPoint& b, const Fi
     return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
 }
 
+/// The first and the last pixel whose centre lies within [low, high] in fixed point.
+inline int FirstPixel(std::int32_t low) {
+    return (low + kSubPixels / 2 - 1) >> 8;
+}
+inline int LastPixel(std::int32_t high) {
+    return (high - kSubPixels / 2) >> 8;
+}
+
 using TriangleEdges = std::array<Edge, 3>;
 
 inline TriangleEdges EdgesOf(const std::array<FixedPoint, 3>& p) {

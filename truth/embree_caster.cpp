@@ -207,8 +207,10 @@ EmbreeCaster::EmbreeCaster(const Mesh& mesh, const Scene* holes)
     // Embree reads 16 bytes at every vertex, the last one too.
     RTCBuffer points = rtcNewBuffer(tree_->device, mesh.vertices_m.size() * sizeof(Vec3f) + 4);
     tree_->Check("taking the vertices");
-    std::memcpy(rtcGetBufferData(points), mesh.vertices_m.data(),
-                mesh.vertices_m.size() * sizeof(Vec3f));
+    if (!mesh.vertices_m.empty()) {
+        std::memcpy(rtcGetBufferData(points), mesh.vertices_m.data(),
+                    mesh.vertices_m.size() * sizeof(Vec3f));
+    }
     for (const unsigned h : {0u, 1u}) {
         tree_->AddGeometry(h == 0 ? kQuads : kQuadsWithHoles, RTC_GEOMETRY_TYPE_QUAD,
                            RTC_FORMAT_UINT4, points, mesh.vertices_m.size(), quads[h]);

@@ -104,6 +104,12 @@ void Validate(const Scene& scene) {
                     name + ": materials[" + std::to_string(m) + "].albedo", 1, "in [0, 1]");
     }
     NotNegative(scene.light.sky, name + ": sky", kHuge, "finite and >= 0");
+    for (const Rgb& pixel : scene.light.environment.radiance.Pixels()) {
+        NotNegative(pixel, name + ": environment", kHuge, "finite and >= 0");
+    }
+    if (!std::isfinite(scene.light.environment.turn_rad)) {
+        throw Error(name + ": environment.turn_rad is not finite, must be");
+    }
     for (std::size_t i = 0; i < scene.light.directional.size(); ++i) {
         const std::string at = name + ": directional_lights[" + std::to_string(i) + "]";
         NotNegative(scene.light.directional[i].irradiance, at + ".irradiance", kHuge,

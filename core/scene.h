@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/camera.h"
+#include "core/environment.h"
 #include "core/image.h"
 #include "core/mesh.h"
 #include "core/texture.h"
@@ -43,7 +44,8 @@ struct PointLight {
 /// divided by pi: a white surface that faces a light of irradiance 1 has the radiance 1, as it
 /// has under an open sky of radiance 1.
 struct SceneLight {
-    Rgb sky{1.f, 1.f, 1.f};  ///< Radiance of the sky, the same all around. >= 0
+    Rgb sky{1.f, 1.f, 1.f};   ///< Radiance of the sky, times that of the picture. >= 0
+    Environment environment;  ///< The sky as a picture; without one it is the same all around.
     std::vector<DirectionalLight> directional;
     std::vector<PointLight> points;
 };

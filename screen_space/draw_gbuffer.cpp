@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/parallel.h"
+#include "core/surface.h"
 #include "screen_space/seen_triangle.h"
 
 namespace plumb {
@@ -12,33 +13,116 @@ namespace {
 constexpr std::int64_t kRowsAtATime = 8;
 
 // What all pixels of a triangle share.
-struct Surface {
+struct Seen {
     std::uint32_t triangle;
     std::array<std::uint32_t, 3> corners;
-    SeenTriangle seen;
-    Vec3 normal;
+    SeenTriangle plane;
+    Vec3 normal;        // In the camera's frame.
+    Vec3 world_normal;  // The same in the scene's.
 
-    Surface(std::uint32_t number, const Mesh& mesh, const std::vector<ScreenVertex>& vertices)
+    Seen(std::uint32_t number, const Mesh& mesh, const std::vector<ScreenVertex>& vertices,
+         const CameraFrame& frame)
         : triangle(number),
-          corners(CornersOfTriangle(mesh, number)),
-          seen({vertices[corners[0]].P, vertices[corners[1]].P, vertices[corners[2]].P}),
-          normal(seen.Normal()) {}
+          corners(CornersOf(mesh, number)),
+          plane({vertices[corners[0]].P, vertices[corners[1]].P, vertices[corners[2]].P}),
+          normal(plane.Normal()),
+          world_normal(normal.x() * frame.right + normal.y() * frame.up +
+                       normal.z() * frame.backward) {}
 };
 
-Vec3f ShadingNormal(const Mesh& mesh, const CameraFrame& frame, const Surface& surface,
-                    const Vec3& b) {
-    Vec3 n = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) {
-        n += b[k] * mesh.normals[surface.corners[std::size_t(k)]].cast<double>();
+class Resolver {
+  public:
+    Resolver(const Scene& scene, const Camera& camera, const RasterOptions& options,
+             const VisibilityBuffer& seen, const std::vector<ScreenVertex>& vertices)
+        : scene_(scene), options_(options), seen_(seen), vertices_(vertices), frame_(camera) {
+        const int width = seen.view.DrawnWidth(), height = seen.view.DrawnHeight();
+        out_.view = seen.view;
+        out_.format = seen.format;
+        out_.range = seen.range;
+        out_.depth = seen.depth;
+        out_.triangle = seen.triangle;
+        out_.z_m = Image<float>(width, height, GBuffer::kSkyZ);
+        out_.face_normal = out_.shading_normal = Image<Vec3f>(width, height, Vec3f::Zero());
+        out_.albedo = Image<Rgb>(width, height);
+        if (!options.texture_coordinates) return;
+        out_.uv = out_.uv_per_x_px = out_.uv_per_y_px =
+            Image<Vec2f>(width, height, Vec2f::Zero());
     }
-    const Vec3 in_camera(n.dot(frame.right), n.dot(frame.up), n.dot(frame.backward));
-    const double length = in_camera.norm();
-    if (!(length > 0)) return surface.normal.cast<float>();
-    const double side = in_camera.dot(surface.normal) < 0 ? -1 : 1;
-    return Vec3(side / length * in_camera).cast<float>();
-}
+
+    GBuffer Resolve() && {
+        ParallelFor(seen_.view.DrawnHeight(), kRowsAtATime,
+                    [&](std::int64_t begin, std::int64_t end) {
+                        for (int j = int(begin); j < int(end); ++j) Row(j);
+                    });
+        return std::move(out_);
+    }
+
+  private:
+    void Row(int j) {
+        std::optional<Seen> here;
+        for (int i = 0; i < seen_.view.DrawnWidth(); ++i) {
+            const std::uint32_t triangle = seen_.triangle(i, j);
+            if (triangle == GBuffer::kSky) continue;
+            if (!here || triangle != here->triangle) {
+                here.emplace(triangle, scene_.mesh, vertices_, frame_);
+            }
+            Pixel(*here, i, j);
+        }
+    }
+
+    void Pixel(const Seen& here, int i, int j) {
+        const Vec3 b = here.plane.Weights(seen_.view, i + 0.5, j + 0.5);
+        if (options_.z == ZSource::kStored) {
+            const double d = DecodeDepth(seen_.format, seen_.depth(i, j));
+            out_.z_m(i, j) = ReconstructZ(seen_.format, seen_.range, float(d));
+        } else {
+            const double z = here.plane.PointM(b).z();
+            out_.z_m(i, j) = float(std::min(z, -options_.range.near_m));
+        }
+        out_.face_normal(i, j) = here.normal.cast<float>();
+        if (scene_.mesh.normals.empty()) {
+            out_.shading_normal(i, j) = out_.face_normal(i, j);
+        } else {
+            const Vec3 n =
+                ShadingNormalAt(scene_.mesh, here.triangle, b[1], b[2], here.world_normal);
+            out_.shading_normal(i, j) =
+                Vec3(n.dot(frame_.right), n.dot(frame_.up), n.dot(frame_.backward))
+                    .cast<float>();
+        }
+        out_.albedo(i, j) = AlbedoAt(scene_, here.triangle, b[1], b[2]);
+        if (options_.texture_coordinates && !scene_.mesh.uvs.empty()) {
+            TextureCoordinates(here, b, i, j);
+        }
+    }
+
+    void TextureCoordinates(const Seen& here, const Vec3& b, int i, int j) {
+        out_.uv(i, j) = UvAt(scene_.mesh, here.triangle, b[1], b[2]);
+        for (int axis = 0; axis < 2; ++axis) {
+            Vec3 values;
+            for (int k = 0; k < 3; ++k) {
+                values[k] = scene_.mesh.uvs[here.corners[std::size_t(k)]][axis];
+            }
+            const Vec2 slope = here.plane.Derivatives(seen_.view, i + 0.5, j + 0.5, values);
+            out_.uv_per_x_px(i, j)[axis] = float(slope.x());
+            out_.uv_per_y_px(i, j)[axis] = float(slope.y());
+        }
+    }
+
+    const Scene& scene_;
+    const RasterOptions& options_;
+    const VisibilityBuffer& seen_;
+    const std::vector<ScreenVertex>& vertices_;
+    CameraFrame frame_;
+    GBuffer out_;
+};
 
 }  // namespace
+
+AlphaTest AlphaTestOf(const Scene& scene) {
+    return {.tested = [&](std::uint32_t face) { return IsAlphaTested(scene, face); },
+            .solid = [&](std::uint32_t triangle, double b_1,
+                         double b_2) { return IsSolidAt(scene, triangle, b_1, b_2); }};
+}
 
 GBuffer DrawGBuffer(const Scene& scene, const Camera& camera, const RasterOptions& options) {
     Rasterizer rasterizer;
@@ -47,47 +131,13 @@ GBuffer DrawGBuffer(const Scene& scene, const Camera& camera, const RasterOption
 
 GBuffer DrawGBuffer(Rasterizer& rasterizer, const Scene& scene, const Camera& camera,
                     const RasterOptions& options) {
-    const Mesh& mesh = scene.mesh;
-    const VisibilityBuffer& seen = rasterizer.Draw(mesh, camera, options);
-    const CameraFrame frame(camera);
-    const int width = seen.view.DrawnWidth(), height = seen.view.DrawnHeight();
-    GBuffer out;
-    out.view = seen.view;
-    out.format = seen.format;
-    out.range = seen.range;
-    out.depth = seen.depth;
-    out.triangle = seen.triangle;
-    out.z_m = Image<float>(width, height, GBuffer::kSkyZ);
-    out.face_normal = out.shading_normal = Image<Vec3f>(width, height, Vec3f::Zero());
-    out.albedo = Image<Rgb>(width, height);
-    ParallelFor(height, kRowsAtATime, [&](std::int64_t begin, std::int64_t end) {
-        std::optional<Surface> here;
-        for (int j = int(begin); j < int(end); ++j) {
-            for (int i = 0; i < width; ++i) {
-                const std::uint32_t triangle = seen.triangle(i, j);
-                if (triangle == GBuffer::kSky) continue;
-                if (!here || triangle != here->triangle) {
-                    here.emplace(triangle, mesh, rasterizer.Vertices());
-                }
-                const Surface& surface = *here;
-                const Vec3 b = surface.seen.Weights(seen.view, i + 0.5, j + 0.5);
-                if (options.z == ZSource::kStored) {
-                    out.z_m(i, j) =
-                        ReconstructZ(seen.format, seen.range,
-                                     float(DecodeDepth(seen.format, seen.depth(i, j))));
-                } else {
-                    const double z = surface.seen.PointM(b).z();
-                    out.z_m(i, j) = float(std::min(z, -options.range.near_m));
-                }
-                out.face_normal(i, j) = surface.normal.cast<float>();
-                out.shading_normal(i, j) = mesh.normals.empty()
-                                               ? out.face_normal(i, j)
-                                               : ShadingNormal(mesh, frame, surface, b);
-                out.albedo(i, j) = scene.AlbedoOfTriangle(triangle);
-            }
-        }
-    });
-    return out;
+    const bool holes =
+        std::any_of(scene.materials.begin(), scene.materials.end(),
+                    [](const Material& material) { return material.alpha_tested; });
+    const AlphaTest alpha_test = AlphaTestOf(scene);
+    const VisibilityBuffer& seen =
+        rasterizer.Draw(scene.mesh, camera, options, true, holes ? &alpha_test : nullptr);
+    return Resolver(scene, camera, options, seen, rasterizer.Vertices()).Resolve();
 }
 
 }  // namespace plumb

@@ -11,7 +11,11 @@
 
 namespace plumb {
 
-/// Throws Error if the scene's mesh, the camera or the options are not valid.
+/// The holes of the scene's alpha-tested materials; the scene must outlive it.
+AlphaTest AlphaTestOf(const Scene& scene);
+
+/// Throws Error if the scene's mesh, the camera or the options are not valid; the rest of the
+/// scene (materials, textures) must be as Validate(Scene) wants it.
 GBuffer DrawGBuffer(const Scene& scene, const Camera& camera,
                     const RasterOptions& options = {});
 

@@ -25,6 +25,11 @@ struct GBuffer {
     Image<Vec3f> shading_normal;  ///< Interpolated; the face's where the mesh has none.
     Image<Rgb> albedo;            ///< 0 for the sky.
 
+    // Empty unless RasterOptions::texture_coordinates.
+    Image<Vec2f> uv;           ///< 0 for the sky, and where the mesh has none.
+    Image<Vec2f> uv_per_x_px;  ///< du/dx, dv/dx by one pixel to the right.
+    Image<Vec2f> uv_per_y_px;  ///< du/dy, dv/dy by one pixel downwards.
+
     // The depth buffer that the picture was drawn with.
     DepthFormat format = DepthFormat::kD32FReversed;
     DepthRange range;

@@ -28,7 +28,8 @@ struct RasterOptions {
     DepthRange range;
     VertexPath vertices = VertexPath::kDouble;
     ZSource z = ZSource::kSurface;
-    int guard_px = 0;  ///< Border drawn on each side. >= 0
+    int guard_px = 0;                  ///< Border drawn on each side. [0, 16384]
+    bool texture_coordinates = false;  ///< Whether GBuffer::uv and its derivatives are wanted.
 
     friend bool operator==(const RasterOptions&, const RasterOptions&) = default;
 };

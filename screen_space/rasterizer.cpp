@@ -6,8 +6,10 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/surface.h"
 #include "screen_space/draw_in_tile.h"
 #include "screen_space/gbuffer.h"
+#include "screen_space/seen_triangle.h"
 
 namespace plumb {
 namespace {
@@ -27,9 +29,9 @@ void CheckIndices(const Mesh& mesh, std::int64_t face) {
 }
 
 // The same as DrawInTile for one triangle, asking at each pixel that passes the depth test.
-template <class Opaque>
+template <class Solid>
 void DrawWithHoles(const TileTriangle& t, DepthFormat format, bool with_triangles,
-                   const Opaque& opaque, Tile& tile) {
+                   const Solid& solid, Tile& tile) {
     for (int j = t.j_0; j <= t.j_1; ++j) {
         for (int i = t.i_0; i <= t.i_1; ++i) {
             bool covered = true;
@@ -40,7 +42,7 @@ void DrawWithHoles(const TileTriangle& t, DepthFormat format, bool with_triangle
             const float e = (t.e + t.e_y * float(j)) + t.e_x * float(i);
             const float key = KeyOf(format, std::min(std::max(e, t.e_min), t.e_max));
             const std::size_t at = std::size_t(j) * kTileStride + std::size_t(i);
-            if (!(key > tile.key[at]) || !opaque(i, j)) continue;
+            if (!(key > tile.key[at]) || !solid(i, j)) continue;
             tile.key[at] = key;
             if (with_triangles) tile.triangle[at] = t.triangle;
         }
@@ -94,7 +96,7 @@ void Rasterizer::SortIntoTiles(const Mesh& mesh, const RasterOptions& options,
             const int halves = quad[2] == quad[3] ? 1 : 2;
             for (int half = 0; half < halves; ++half) {
                 const std::uint32_t triangle = 2 * face + std::uint32_t(half);
-                const auto corners = CornersOfTriangle(mesh, triangle);
+                const auto corners = CornersOf(mesh, triangle);
                 bins.Add(
                     {&vertices_[corners[0]], &vertices_[corners[1]], &vertices_[corners[2]]},
                     triangle, tested, map, grid, options);
@@ -102,6 +104,11 @@ void Rasterizer::SortIntoTiles(const Mesh& mesh, const RasterOptions& options,
         }
         bins.SortByTile(grid);
     });
+}
+
+std::array<Vec3, 3> Rasterizer::CornersM(const Mesh& mesh, std::uint32_t triangle) const {
+    const auto corners = CornersOf(mesh, triangle);
+    return {vertices_[corners[0]].P, vertices_[corners[1]].P, vertices_[corners[2]].P};
 }
 
 void Rasterizer::DrawTile(const Mesh& mesh, int column, int row, bool with_triangles,
@@ -122,15 +129,13 @@ void Rasterizer::DrawTile(const Mesh& mesh, int column, int row, bool with_trian
             }
             DrawInTile(ready, format, with_triangles, tile);
             ready.clear();
-            const auto c = CornersOfTriangle(mesh, triangle.triangle);
-            const std::array<Vec3, 3> corners{vertices_[c[0]].P, vertices_[c[1]].P,
-                                              vertices_[c[2]].P};
+            const SeenTriangle seen(CornersM(mesh, triangle.triangle));
             DrawWithHoles(
                 here, format, with_triangles,
                 [&](int i, int j) {
-                    return alpha_test->opaque(triangle.triangle, corners,
-                                              column * kTilePx + i + 0.5,
-                                              row * kTilePx + j + 0.5);
+                    const Vec3 b = seen.Weights(out_.view, column * kTilePx + i + 0.5,
+                                                row * kTilePx + j + 0.5);
+                    return alpha_test->solid(triangle.triangle, b[1], b[2]);
                 },
                 tile);
         }

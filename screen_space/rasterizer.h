@@ -32,10 +32,8 @@ struct VisibilityBuffer {
 struct AlphaTest {
     /// Of a face: might a pixel of it be no surface?
     std::function<bool(std::uint32_t face)> tested;
-    /// Is there a surface at the point (x_px, y_px) of the triangle with these corners?
-    std::function<bool(std::uint32_t triangle, const std::array<Vec3, 3>& corners, double x_px,
-                       double y_px)>
-        opaque;
+    /// Is there a surface at b_1, b_2 of the triangle?
+    std::function<bool(std::uint32_t triangle, double b_1, double b_2)> solid;
 };
 
 /// Keeps its memory from one picture to the next.
@@ -55,18 +53,11 @@ class Rasterizer {
                        const AlphaTest* alpha_test);
     void DrawTile(const Mesh& mesh, int column, int row, bool with_triangles,
                   const AlphaTest* alpha_test);
+    std::array<Vec3, 3> CornersM(const Mesh& mesh, std::uint32_t triangle) const;
 
     VisibilityBuffer out_;
     std::vector<ScreenVertex> vertices_;
     std::vector<Bins> chunks_;
 };
-
-/// The vertices of a triangle as truth/triangle.h numbers them.
-inline std::array<std::uint32_t, 3> CornersOfTriangle(const Mesh& mesh,
-                                                      std::uint32_t triangle) {
-    const std::array<std::uint32_t, 4>& face = mesh.quads[triangle / 2];
-    return triangle % 2 == 0 ? std::array{face[0], face[1], face[3]}
-                             : std::array{face[2], face[3], face[1]};
-}
 
 }  // namespace plumb

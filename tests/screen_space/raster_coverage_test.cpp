@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "core/surface.h"
 #include "screen_space/draw_gbuffer.h"
 #include "screen_space/rasterizer.h"
 #include "tests/screen_space/flat_scenes.h"
@@ -58,7 +59,7 @@ Image<int> Counts(const Mesh& mesh, const Camera& camera, const RasterOptions& o
     one.vertices_m = mesh.vertices_m;
     for (std::uint32_t t = 0; t < 2 * mesh.quads.size(); ++t) {
         if (t % 2 == 1 && mesh.quads[t / 2][2] == mesh.quads[t / 2][3]) continue;
-        const auto [a, b, c] = CornersOfTriangle(mesh, t);
+        const auto [a, b, c] = CornersOf(mesh, t);
         one.quads = {{a, b, c, c}};
         const VisibilityBuffer& seen = rasterizer.Draw(one, camera, options);
         for (std::size_t p = 0; p < counts.Pixels().size(); ++p) {

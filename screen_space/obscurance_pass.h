@@ -1,6 +1,7 @@
 // The sampling pass: A of each pixel from its taps, before any filter.
 //
-//       C = z_C (s_x, s_y, 1),    n from depth or given,    v_i = Q_i - C
+//       C = z_C (s_x, s_y, 1)                                       [McGuire12 eq. 3]
+//       n from depth or given,    v_i = Q_i - C
 //       A = the estimator of sao.h over the taps of tap_lookup.h
 //
 // Two ways to the same number: ObscuranceOfPixel, the reference, in double and one pixel at a
@@ -9,8 +10,9 @@
 //
 // Source   [McGuire12] section 2.3.
 // Symbols  as in sao.h and tap_lookup.h.
-// Beware   The two round a tap's place separately: where h u comes within its float's rounding of
-//          a whole number they may read neighbouring pixels.
+// Beware   Eq. 3 as printed ("- (-2 ...)") does not put the middle of the picture at y = 0; View::Point
+//          does. The two ways round a tap's place separately: where h u comes within its float's
+//          rounding of a whole number they may read neighbouring pixels.
 //          The sky has A = 1, and a tap that meets the sky adds nothing.
 // Cost     s depth lookups a pixel.
 #pragma once

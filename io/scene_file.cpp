@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "io/json_file.h"
 #include "io/mesh_io.h"
+#include "io/picture_file.h"
 
 namespace plumb {
 namespace {
@@ -17,6 +18,9 @@ constexpr NumberRule kFieldOfView{"in (0, 180)", [](double x) { return 0 < x && 
 constexpr NumberRule kPixels{"a whole number in [1, 65536]", [](double x) {
                                  return 1 <= x && x <= 65536 && x == std::floor(x);
                              }};
+
+constexpr NumberRule kTiles{"a whole number in [0, 16]",
+                            [](double x) { return 0 <= x && x <= 16 && x == std::floor(x); }};
 
 class Reader {
   public:
@@ -80,16 +84,34 @@ class Reader {
 
     void ReadSurfaces(JsonFields& fields) {
         const auto generator = fields.Text("generator");
-        const bool meshes = fields.IsList("meshes");
-        if (generator.has_value() == meshes) {
-            throw Error(file_ + ": must have either generator or meshes");
+        const bool meshes = fields.IsList("meshes"), heights = fields.IsList("heights");
+        if (generator.has_value() == (meshes || heights)) {
+            throw Error(file_ + ": must have either generator, or meshes or heights");
         }
-        if (generator) {
-            out_.generator = *generator;
-        } else {
+        if (generator) out_.generator = *generator;
+        if (meshes) {
             ReadEach(fields, "meshes", [&](JsonFields& mesh) { ReadMeshEntry(mesh); });
-            if (out_.scene.mesh.quads.empty()) throw Error(file_ + ": meshes is empty");
         }
+        if (heights) {
+            ReadEach(fields, "heights", [&](JsonFields& field) { ReadHeightsEntry(field); });
+        }
+        if (!generator && out_.scene.mesh.quads.empty() && out_.heights.empty()) {
+            throw Error(file_ + (meshes ? ": meshes is empty" : ": heights is empty"));
+        }
+    }
+
+    void ReadHeightsEntry(JsonFields& fields) {
+        HeightsEntry entry;
+        entry.name = fields.NeedText("file");
+        if (!entry.name.starts_with("make:")) {
+            const std::filesystem::path map = path_.parent_path() / entry.name;
+            entry.name = map.string();
+            out_.files.push_back(map);
+        }
+        if (const auto albedo = Colour(fields, "albedo", kShare)) entry.albedo = *albedo;
+        entry.amplitude_m = fields.Number("amplitude_m", kNotNegative);
+        if (const auto tiles = fields.Number("tiles", kTiles)) entry.tiles = int(*tiles);
+        out_.heights.push_back(std::move(entry));
     }
 
     void ReadMeshEntry(JsonFields& fields) {
@@ -156,6 +178,14 @@ class Reader {
             light.sky = *sky;
             out_.has_light = true;
         }
+        const auto picture = fields.Text("environment");
+        const auto turn_deg = fields.Number("environment_turn_deg", kFinite);
+        if (picture) ReadEnvironment(path_.parent_path() / *picture, light.environment);
+        if (turn_deg && !picture) {
+            throw Error(fields.NameOf("environment_turn_deg") +
+                        " without environment, must have one");
+        }
+        light.environment.turn_rad = turn_deg.value_or(0) * kPi / 180;
         if (fields.IsList("directional_lights")) {
             out_.has_light = true;
             ReadEach(fields, "directional_lights", [&](JsonFields& of) {
@@ -175,6 +205,17 @@ class Reader {
                     {.position_m = position_m, .intensity = NeedColour(of, "intensity")});
             });
         }
+    }
+
+    void ReadEnvironment(const std::filesystem::path& path, Environment& environment) {
+        Picture picture = ReadPictureFile(path);
+        if (picture.had_bad_numbers) {
+            out_.notes.push_back(path.string() +
+                                 ": numbers that are not finite or negative, 0 instead");
+        }
+        environment.radiance = std::move(picture.linear);
+        out_.files.push_back(path);
+        out_.has_light = true;
     }
 
     void ReadCamera(JsonFields& fields) {

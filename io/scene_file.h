@@ -13,11 +13,20 @@
 
 namespace plumb {
 
+/// A height map as a surface: x, y from texel (0, 0), +z up.
+struct HeightsEntry {
+    std::string name;                   ///< Path of the map, or "make:KIND[:SIZE[:SEED]]".
+    Rgb albedo{0.8f, 0.8f, 0.8f};       ///< [0, 1]
+    std::optional<double> amplitude_m;  ///< Over what the map's own files say. >= 0
+    int tiles = 1;  ///< A map that repeats is repeated so often to each side. [0, 16]
+};
+
 /// What the file says. If it names a generator, `scene` has no surfaces yet, and what is unset
 /// is left to the generator.
 struct SceneFile {
     Scene scene;
     std::string generator;  ///< Of scenes/catalogue.h; empty if there are mesh files.
+    std::vector<HeightsEntry> heights;  ///< To be added to the scene's surfaces by the caller.
     bool has_light = false;
     bool has_cameras = false;
     std::vector<std::filesystem::path> files;  ///< That it was read from, itself first.

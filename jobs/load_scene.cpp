@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "core/error.h"
+#include "heightfield/facet.h"
 #include "io/content_hash.h"
 #include "io/scene_file.h"
+#include "jobs/surface.h"
 #include "scenes/catalogue.h"
 
 namespace plumb {
@@ -39,7 +41,53 @@ std::string Digest(const Scene& scene) {
         Append(bytes, texture.albedo.Pixels());
         Append(bytes, texture.opacity.Pixels());
     }
+    const SceneLight& light = scene.light;
+    Append(bytes, std::vector{light.sky});
+    Append(bytes, light.environment.radiance.Pixels());
+    Append(bytes,
+           std::vector{double(light.environment.radiance.Width()), light.environment.turn_rad});
+    for (const DirectionalLight& of : light.directional) {
+        Append(bytes, std::vector{of.towards.x(), of.towards.y(), of.towards.z()});
+        Append(bytes, std::vector{of.irradiance});
+    }
+    for (const PointLight& of : light.points) {
+        Append(bytes, std::vector{of.position_m.x(), of.position_m.y(), of.position_m.z()});
+        Append(bytes, std::vector{of.intensity});
+    }
     return Sha256Hex(bytes);
+}
+
+// Adds the surface of a height map with a material of its own.
+void AddHeights(const HeightsEntry& entry, Scene& scene) {
+    SurfaceOptions options;
+    options.amplitude_m = entry.amplitude_m;
+    const Surface surface = LoadSurface(entry.name, options);
+    const bool endless = surface.field.GetBoundary() != Boundary::kOpen;
+    const double copies = endless ? 2.0 * entry.tiles + 1 : 1;
+    const double faces = double(surface.field.Facets()) / 2 * copies * copies;
+    constexpr double kMostFaces = 1 << 28;
+    if (faces > kMostFaces) {
+        throw Error(MustBe(entry.name + ": faces of all tiles", faces, "at most 2^28"));
+    }
+    const Mesh mesh = ToMesh(surface.field, endless ? entry.tiles : 0);
+    const std::size_t first = scene.mesh.vertices_m.size();
+    if (first + mesh.vertices_m.size() > 0xffffffffu || scene.materials.size() >= 0xffffu) {
+        throw Error(scene.name + ": more than 2^32 vertices or 65535 materials in all");
+    }
+    scene.mesh.vertices_m.insert(scene.mesh.vertices_m.end(), mesh.vertices_m.begin(),
+                                 mesh.vertices_m.end());
+    if (!scene.mesh.normals.empty()) {
+        scene.mesh.normals.resize(scene.mesh.vertices_m.size(), Vec3f::Zero());
+    }
+    if (!scene.mesh.uvs.empty()) {
+        scene.mesh.uvs.resize(scene.mesh.vertices_m.size(), Vec2f::Zero());
+    }
+    for (std::array<std::uint32_t, 4> quad : mesh.quads) {
+        for (std::uint32_t& corner : quad) corner += std::uint32_t(first);
+        scene.mesh.quads.push_back(quad);
+        scene.material_of_face.push_back(std::uint16_t(scene.materials.size()));
+    }
+    scene.materials.push_back({.name = surface.source.name, .albedo = entry.albedo});
 }
 
 }  // namespace
@@ -50,6 +98,7 @@ LoadedScene LoadScene(const std::string& name) {
         SceneFile file = ReadSceneFile(name);
         loaded.scene = std::move(file.scene);
         loaded.notes = std::move(file.notes);
+        for (const HeightsEntry& entry : file.heights) AddHeights(entry, loaded.scene);
         if (!file.generator.empty()) {
             Scene made = SceneKindNamed(file.generator).make();
             made.name = loaded.scene.name;

@@ -27,18 +27,35 @@ std::uint64_t NetSeed(std::uint64_t seed, std::int64_t receiver, int replicate) 
     return Absorb(Absorb(Absorb(0, seed), std::uint64_t(receiver)), std::uint64_t(replicate));
 }
 
-Measured FromMeans(std::span<const double> means, std::int64_t n, double confidence) {
+namespace {
+
+// `step`: what one sample more or less counts, below which equal means say nothing.
+Measured FromScatter(std::span<const double> means, std::int64_t n, double confidence,
+                     double step) {
     Moments moments;
     for (const double mean : means) moments.Add(mean);
     const double R = double(means.size());
     Estimate estimate = moments.Estimate();
     estimate.standard_error =
-        std::max(estimate.standard_error, 1 / (double(n) * std::sqrt(12 * R)));
+        std::max(estimate.standard_error, step / (double(n) * std::sqrt(12 * R)));
     const double half = HalfWidth(estimate, confidence);
-    return {.value = estimate.mean,
-            .standard_error = estimate.standard_error,
-            .interval = {.low = std::max(0.0, estimate.mean - half),
-                         .high = std::min(1.0, estimate.mean + half)}};
+    return {
+        .value = estimate.mean,
+        .standard_error = estimate.standard_error,
+        .interval = {.low = std::max(0.0, estimate.mean - half), .high = estimate.mean + half}};
+}
+
+}  // namespace
+
+Measured FromMeans(std::span<const double> means, std::int64_t n, double confidence) {
+    Measured measured = FromScatter(means, n, confidence, 1);
+    measured.interval.high = std::min(1.0, measured.interval.high);
+    return measured;
+}
+
+Measured FromUnboundedMeans(std::span<const double> means, std::int64_t n, double confidence) {
+    const double largest = *std::max_element(means.begin(), means.end());
+    return FromScatter(means, n, confidence, largest);
 }
 
 Measured FromCounts(std::span<const std::uint32_t> successes, std::int64_t n,

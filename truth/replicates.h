@@ -59,4 +59,8 @@ Measured FromCounts(std::span<const std::uint32_t> successes, std::int64_t n,
 Measured FromMeans(std::span<const double> means, std::int64_t n,
                    double confidence = kConfidence);
 
+/// Of the mean of values >= 0 without an upper bound, such as radiances.
+Measured FromUnboundedMeans(std::span<const double> means, std::int64_t n,
+                            double confidence = kConfidence);
+
 }  // namespace plumb

@@ -119,7 +119,7 @@ TEST_F(SceneFiles, NameWhatIsWrong) {
     EXPECT_NE(Complaint(R"({"generator": "a", "mehses": []})").find("unknown field"),
               std::string::npos);
     EXPECT_EQ(Complaint(R"({"name": "x"})"),
-              "scene.json: must have either generator or meshes");
+              "scene.json: must have either generator, or meshes or heights");
     EXPECT_EQ(Complaint(R"({"meshes": []})"), "scene.json: meshes is empty");
     EXPECT_EQ(Complaint(R"({"meshes": [{"file": "gone.obj"}]})"), "gone.obj: cannot be read");
     EXPECT_EQ(Complaint(R"({"generator": "a", "sky": [1, 2]})"),

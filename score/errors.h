@@ -4,21 +4,22 @@
 //
 //       bias       mean d
 //       MAE        mean |d|
-//       MSE        mean (d^2 - s^2)             E[d^2] = (c - T)^2 + s^2: unbiased for the truth
-//       RMSE       sqrt MSE                     0 where noise made the MSE negative
-//       PSNR       10 log10(1 / MSE)            infinite where it is not positive
-//       psnr_paper 10 log10(255^2 / MSE)        48.13 dB more: what [Hollander13] prints
+//       MSE        mean (d^2 - s^2)           E[d^2] = (c - T)^2 + s^2: that of the truth
+//       RMSE       sqrt MSE                   0 where noise made the MSE negative
+//       PSNR       10 log10(1 / MSE)          infinite where it is not positive
+//       psnr_paper 10 log10(255^2 / MSE)      48.13 dB more: what [Hollander13] prints
 //
 // over the pixels of a mask. Intervals: score/figure.h; those of RMSE and PSNR are the
-// interval of the MSE, carried over. What the noise of the truth alone does to the bias and the
-// MSE of this picture, the pixels' noises being independent and nearly normal:
+// interval of the MSE, carried over. What the noise of the truth alone does to the bias and
+// the MSE of this picture, the pixels' noises being independent and nearly normal:
 //
 //       Var bias = Sum s^2 / N^2,    Var MSE = Sum v / N^2
 //       v = 4 d^2 s^2 - 4 s^4 + (2 + 10/nu) s^4 nu / (nu + 2)
 //
 // where nu is the degrees of freedom of each s. (Var(d^2 - s^2) = 4 e^2 sigma^2 + 2 sigma^4 +
-// 2 sigma^4 / nu with e = c - T; d^2 s^2 - s^4 has the mean e^2 sigma^2 - 2 sigma^4 / nu, and s^4
-// the mean sigma^4 (nu + 2) / nu. v is unbiased; for an s known exactly it is 4 d^2 s^2 - 2 s^4.)
+// 2 sigma^4 / nu with e = c - T; d^2 s^2 - s^4 has the mean e^2 sigma^2 - 2 sigma^4 / nu, and
+// s^4 the mean sigma^4 (nu + 2) / nu. v is unbiased; for an s known exactly it is 4 d^2 s^2 -
+// 2 s^4.)
 //
 // The MAE cannot be freed of noise without bias: |e| has a kink. Normal noise only raises it,
 //
@@ -72,8 +73,9 @@ ErrorScore ScoreErrors(const Image<float>& candidate, const Image<float>& truth,
                        const Image<float>& standard_error = {}, const Mask& mask = {},
                        const ErrorOptions& options = {});
 
-/// MSE of a less MSE of b, from (a - b)(a + b - 2 t): linear in t, so that the noise of a shared
-/// truth cancels but for noise_error. Its interval tells whether one technique beats another.
+/// MSE of a less MSE of b, from (a - b)(a + b - 2 t): linear in t, so that the noise of a
+/// shared truth cancels but for noise_error. Its interval tells whether one technique beats
+/// another.
 Figure CompareMse(const Image<float>& a, const Image<float>& b, const Image<float>& truth,
                   const Image<float>& standard_error = {}, const Mask& mask = {},
                   const ErrorOptions& options = {});

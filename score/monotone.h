@@ -2,8 +2,9 @@
 //
 //       minimize  Sum_k w_k (f(x_k) - y_k)^2      over all f that never fall
 //
-// Pool adjacent violators: in order of x, whenever a mean lies below the one before it, the two
-// groups are one group with their common mean. What is left are levels, each the mean of its y.
+// Pool adjacent violators: in order of x, whenever a mean lies below the one before it, the
+// two groups are one group with their common mean. What is left are levels, each the mean of
+// its y.
 //
 // Source   [Ayer55] M. Ayer, H. Brunk, G. Ewing, W. Reid, E. Silverman, An Empirical
 //          Distribution Function for Sampling with Incomplete Information, Annals of

@@ -16,8 +16,8 @@ struct TimedError {
     double error = 0;  ///< Any measure that is better when smaller.
 };
 
-/// The indices of the points that no other beats, by rising time; of equal points the first only.
-/// Throws Error, naming the point, for a time or an error that is not a number.
+/// The indices of the points that no other beats, by rising time; of equal points the first
+/// only. Throws Error, naming the point, for a time or an error that is not a number.
 std::vector<std::size_t> ParetoFront(std::span<const TimedError> points);
 
 /// The fastest point whose error is at most (1 + tolerance) times the least; needs a point.

@@ -41,8 +41,8 @@ inline double FinitePixel(const Image<float>& image, int i, int j, const char* n
     return value;
 }
 
-/// visit(tile, i, j, s^2) for every pixel that counts; the pixels of a tile in row order, by one
-/// thread: a visit may add to the slot of its tile and to nothing else.
+/// visit(tile, i, j, s^2) for every pixel that counts; the pixels of a tile in row order, by
+/// one thread: a visit may add to the slot of its tile and to nothing else.
 template <class Visit>
 void ForEachCounted(const Tiling& tiling, const Image<float>& standard_error, const Mask& mask,
                     const Visit& visit) {

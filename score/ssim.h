@@ -8,17 +8,18 @@
 // weighted by a Gaussian of 1.5 pixels; K1 = 0.01, K2 = 0.03, L = 1 for data in [0, 1]. The
 // score is the mean over the windows that lie in the picture whole.
 //
-// Independent noise of standard error s leaves mu_t and sigma_ct where they are on average, and
+// Independent noise of standard error s leaves mu_t and sigma_ct where they are on average,
+// and
 //
 //       E[mu_t^2]    = mu_T^2    + q              p = Sum w s^2
 //       E[sigma_t^2] = sigma_T^2 + p - q          q = Sum w^2 s^2
 //
-// p and q are subtracted, and what then falls below 0 is set to 0. What is left of the noise is
-// of second order: a ratio of noisy numbers is not unbiased.
+// p and q are subtracted, and what then falls below 0 is set to 0. What is left of the noise
+// is of second order: a ratio of noisy numbers is not unbiased.
 //
-// Source   [Wang04] Z. Wang, A. Bovik, H. Sheikh, E. Simoncelli, Image Quality Assessment: From
-//          Error Visibility to Structural Similarity, IEEE Trans. Image Processing 13(4), 2004.
-//          The correction: ours.
+// Source   [Wang04] Z. Wang, A. Bovik, H. Sheikh, E. Simoncelli, Image Quality Assessment:
+//          From Error Visibility to Structural Similarity, IEEE Trans. Image Processing 13(4),
+//          2004. The correction: ours.
 // Symbols  c candidate, t measured truth, T truth, w weights of the window (their sum is 1).
 // Domain   Images of one size, finite where the mask `seen` counts.
 // Beware   Pixels that are not `seen` weigh nothing in any window, else the sky, the same in
@@ -42,8 +43,8 @@ inline constexpr double kSsimSigma_px = 1.5, kSsimK1 = 0.01, kSsimK2 = 0.03;
 Image<float> SsimMap(const Image<float>& candidate, const Image<float>& truth,
                      const Image<float>& standard_error = {}, const Mask& seen = {});
 
-/// Mean of the map over the pixels of `mask` (empty: all) where it is not NaN. Of the options, the
-/// confidence and the tiles are used.
+/// Mean of the map over the pixels of `mask` (empty: all) where it is not NaN. Of the options,
+/// the confidence and the tiles are used.
 Figure ScoreSsim(const Image<float>& map, const Mask& mask = {},
                  const ErrorOptions& options = {});
 

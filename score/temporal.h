@@ -4,8 +4,8 @@
 //       truth       mean over pixels of ( Var_t t - mean_t s^2 )
 //       flicker     mean over pixels of ( Var_t (c - t) - mean_t s^2 )
 //
-// A picture must change when the camera moves: that is no fault. The flicker is the variance of
-// the error alone: 0 for a technique that is wrong in the same way in every frame.
+// A picture must change when the camera moves: that is no fault. The flicker is the variance
+// of the error alone: 0 for a technique that is wrong in the same way in every frame.
 //
 // Source   ours; intervals over tiles: score/figure.h.
 // Symbols  c candidate, t measured truth, s its standard error.

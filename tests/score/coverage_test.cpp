@@ -17,9 +17,9 @@ bool Holds(const Figure& figure, double expected) {
     return figure.interval.low <= expected && expected <= figure.interval.high;
 }
 
-// Errors are kMean + kSigma times noise that is correlated over 4 pixels, in tiles of 6; so the
-// population's bias, MSE, and MAE (of a normal with that mean: sigma sqrt(2/pi) exp(-m^2 / 2
-// sigma^2) + m erf(m / (sigma sqrt 2))) are known. A quarter of the picture is masked. The
+// Errors are kMean + kSigma times noise that is correlated over 4 pixels, in tiles of 6; so
+// the population's bias, MSE, and MAE (of a normal with that mean: sigma sqrt(2/pi) exp(-m^2 /
+// 2 sigma^2) + m erf(m / (sigma sqrt 2))) are known. A quarter of the picture is masked. The
 // truth is noisy, which the MSE must not show.
 TEST(Coverage, OfBiasMaeAndMse) {
     const double mse = kMean * kMean + kSigma * kSigma, t = kMean / kSigma;
@@ -53,10 +53,10 @@ TEST(Coverage, OfBiasMaeAndMse) {
     EXPECT_EQ(psnr_held, mse_held);
 }
 
-// Expected: tiles of a pixel see but its neighbours, and give a far too short interval where errors
-// are alike over 9 pixels, so that the test above has something to tell. Of the variance of a
-// mean they see, in each dimension, the correlations 1 + 2 8/9 of their sum 9, in both 9.5 %; so
-// 95 % becomes 2 Phi(1.96 sqrt(0.095)) - 1 = 45 %.
+// Expected: tiles of a pixel see but its neighbours, and give a far too short interval where
+// errors are alike over 9 pixels, so that the test above has something to tell. Of the
+// variance of a mean they see, in each dimension, the correlations 1 + 2 8/9 of their sum 9,
+// in both 9.5 %; so 95 % becomes 2 Phi(1.96 sqrt(0.095)) - 1 = 45 %.
 TEST(Coverage, OfTilesOfOnePixelFails) {
     int held = 0;
     for (int run = 0; run < 300; ++run) {
@@ -68,8 +68,8 @@ TEST(Coverage, OfTilesOfOnePixelFails) {
     EXPECT_LT(held / 300.0, 0.6);
 }
 
-// Frames of white noise of variance 1/100 over a still truth: candidate and flicker both vary by
-// that; the truth, measured with an error of 1/20, does not vary.
+// Frames of white noise of variance 1/100 over a still truth: candidate and flicker both vary
+// by that; the truth, measured with an error of 1/20, does not vary.
 TEST(Coverage, OfTemporalVariance) {
     constexpr int kFrames = 4, kSide = 32, kTemporalRuns = 1000;
     const std::vector<Image<float>> s(kFrames, Image<float>(kSide, kSide, 0.05f));

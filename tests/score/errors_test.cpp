@@ -41,9 +41,9 @@ TEST(ScoreErrors, TwoByTwoByHand) {
     EXPECT_EQ(score.mae_noise_bias, 0);
 }
 
-// Expected: with four tiles of one pixel the error of a mean is s / sqrt n. About 1/8 the squares
-// of d sum to 2 (1/8)^2 + 2 (3/8)^2 = 5/16, so se = sqrt(5/16 / 3 / 4); t_3 at 97.5 % is 3.182446
-// ([Abramowitz64] table 26.10 gives 3.182).
+// Expected: with four tiles of one pixel the error of a mean is s / sqrt n. About 1/8 the
+// squares of d sum to 2 (1/8)^2 + 2 (3/8)^2 = 5/16, so se = sqrt(5/16 / 3 / 4); t_3 at 97.5 %
+// is 3.182446 ([Abramowitz64] table 26.10 gives 3.182).
 TEST(ScoreErrors, IntervalOfTheBiasByHand) {
     const Figure bias = ScoreErrors(kCandidate, kTruth, {}, {}, kPixelTiles).bias;
     const double se = std::sqrt(5.0 / 16 / 3 / 4);

@@ -13,7 +13,8 @@
 namespace plumb {
 
 /// The chance that an honest program fails any of the statistical tests of score_test: 1e-3,
-/// shared among at most 64 comparisons. All seeds are fixed, so what passes once passes always.
+/// shared among at most 64 comparisons. All seeds are fixed, so what passes once passes
+/// always.
 inline const double kLevel = SidakLevel(1e-3, 64);
 inline const double kSigmas = NormalQuantile(1 - kLevel / 2);
 

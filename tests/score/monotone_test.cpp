@@ -17,8 +17,8 @@ double SquaresOf(const MonotoneMap& map, const std::vector<MonotoneSample>& samp
     return sum;
 }
 
-/// The least sum of squares of a rising f with values at `n` sorted x, by trying every way to cut
-/// them into runs of one value each, the run's mean, and keeping those that rise.
+/// The least sum of squares of a rising f with values at `n` sorted x, by trying every way to
+/// cut them into runs of one value each, the run's mean, and keeping those that rise.
 double BruteForce(const std::vector<double>& y) {
     const int n = int(y.size());
     double best = INFINITY;

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kWidth = 24, kHeight = 16, kRuns = 2000;
 
-/// An error that varies from pixel to pixel, from none to twice the noise, and a noise that does.
+/// An error that varies from pixel to pixel, from none to twice the noise, and a noise that
+/// does.
 double ErrorAt(int i, int j) {
     return 0.002 * (i - 8) + 0.003 * (j % 3);
 }
@@ -95,8 +96,8 @@ TEST_P(TruthNoise, IsTakenOffAndItsErrorIsHonest) {
 
 INSTANTIATE_TEST_SUITE_P(KnownAndMeasured, TruthNoise, testing::Values(0, 8, 4));
 
-// Expected: |e| <= E|d| <= |e| + the bound, pixel means; and the bound is not idle: it is below
-// the plain sqrt(2/pi) sigma, and noise does raise the MAE.
+// Expected: |e| <= E|d| <= |e| + the bound, pixel means; and the bound is not idle: it is
+// below the plain sqrt(2/pi) sigma, and noise does raise the MAE.
 TEST(MaeNoise, IsWithinItsBound) {
     const double mae = TrueMean([](double d) { return std::abs(d); });
     Moments maes, bounds;
@@ -116,8 +117,8 @@ TEST(MaeNoise, IsWithinItsBound) {
     EXPECT_LT(bounds.Mean(), 0.9 * plain / (kWidth * kHeight));
 }
 
-// Expected: of truths that are noise alone, the candidate being right, max_at_least exceeds 0 in
-// 5 % of the runs. Tolerance: kSigmas standard errors of a share.
+// Expected: of truths that are noise alone, the candidate being right, max_at_least exceeds 0
+// in 5 % of the runs. Tolerance: kSigmas standard errors of a share.
 TEST(MaxAtLeast, IsAboveZeroAsOftenAsItSays) {
     int above = 0;
     for (int run = 0; run < kRuns; ++run) {

@@ -24,9 +24,9 @@ Image<float> Through(const Image<float>& image, const Curve& curve) {
                             [&](int i, int j) { return curve(image(i, j)); });
 }
 
-// Expected: a wrong contrast is mended whole. Tolerance: in sample, the rounding of float; held
-// out, a straight line between data some 1/300 apart of a curve whose second derivative is at most
-// 2 / 0.2^3 (of sqrt(x) undone: x^2, derivative 2), far below 1e-3.
+// Expected: a wrong contrast is mended whole. Tolerance: in sample, the rounding of float;
+// held out, a straight line between data some 1/300 apart of a curve whose second derivative
+// is at most 2 / 0.2^3 (of sqrt(x) undone: x^2, derivative 2), far below 1e-3.
 TEST(Recalibration, MendsAnyCurve) {
     const Image<float> candidate = Through(kTrue, [](double x) { return x * x; });
     EXPECT_GT(ScoreErrors(candidate, kTrue).rmse.value, 0.15);
@@ -49,11 +49,11 @@ TEST(Recalibration, DoesNotTurnAround) {
     EXPECT_EQ(score.map.levels.size(), 1u);
 }
 
-// Expected: a candidate that is the truth through a curve, plus an error of its own of standard
-// deviation 0.05 that no curve mends, of a truth measured with noise 0.03. In the truth's
-// terms no more than 0.05 is left (the slope of the curve is 1), and not much less: the fit
-// pulls towards the mean by the share 0.05^2 / variance, some 5 %. The fitted score lies
-// below the held-out one. Noise must leave no trace: kSigmas of noise_error.
+// Expected: a candidate that is the truth through a curve, plus an error of its own of
+// standard deviation 0.05 that no curve mends, of a truth measured with noise 0.03. In the
+// truth's terms no more than 0.05 is left (the slope of the curve is 1), and not much less:
+// the fit pulls towards the mean by the share 0.05^2 / variance, some 5 %. The fitted score
+// lies below the held-out one. Noise must leave no trace: kSigmas of noise_error.
 TEST(Recalibration, LeavesTheWrongShapeAndNoNoise) {
     const auto candidate = MadeImage<float>(kSide, kSide, [](int i, int j) {
         return kTrue(i, j) + 0.1 + 0.05 * MadeNormal(1, std::uint64_t(j) * kSide + i, 0);

@@ -15,7 +15,8 @@ namespace {
 constexpr float kSky = -std::numeric_limits<float>::infinity();
 const Vec3f kFront(0, 0, 1);
 
-// A floor 1 m below the eye, drawn to 0.5 degrees below the horizon: z = -1 / slope of the row.
+// A floor 1 m below the eye, drawn to 0.5 degrees below the horizon: z = -1 / slope of the
+// row.
 Image<float> GrazingFloor(int width, int height) {
     return MadeImage<float>(width, height, [&](int, int j) { return -1 / (0.01 + 0.02 * j); });
 }

@@ -33,8 +33,8 @@ TEST(Ssim, OfTwoConstantsByHand) {
     EXPECT_NEAR(map(5, 5), 0.923086, 1e-6);
 }
 
-// Expected: the window of a single bright pixel in the middle of the truth, and of one beside it in
-// the candidate. With the middle's weight w and the neighbour's v,
+// Expected: the window of a single bright pixel in the middle of the truth, and of one beside
+// it in the candidate. With the middle's weight w and the neighbour's v,
 //   mu_t = w, sigma_t^2 = w - w^2, mu_c = v, sigma_c^2 = v - v^2, sigma_ct = -w v.
 // The weights: g(k) = exp(-k^2 / 4.5) over their sum over -5 ... 5, here summed by hand:
 //   1 + 2 (0.8007374 + 0.4111123 + 0.1353353 + 0.0285655 + 0.0038659) = 3.7592328
@@ -73,7 +73,8 @@ TEST(Ssim, LeavesOutWhatIsNotSeen) {
 }
 
 // Expected: on average the score of the noiseless truth. Tolerance: what is left is of second
-// order, here below 2 % of what the noise did; and kSigmas standard errors of the mean over 60.
+// order, here below 2 % of what the noise did; and kSigmas standard errors of the mean over
+// 60.
 TEST(Ssim, TakesOffTheNoiseOfTheTruth) {
     constexpr int kSide = 64;
     const auto truth = MadeImage<float>(kSide, kSide, [](int i, int j) {

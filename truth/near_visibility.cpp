@@ -1,7 +1,9 @@
 #include "truth/near_visibility.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -21,6 +23,10 @@ double OpennessAt(double d_m, double reach_m, Falloff falloff) {
             return x;
         case Falloff::kSao:
             return 1 - std::pow(1 - x * x, 3);
+        case Falloff::kQuadratic:
+            return x * x;
+        case Falloff::kFarEnd:
+            return std::max(0.0, (x - kFarEndStart) / (1 - kFarEndStart));
     }
     return 1;
 }
@@ -46,15 +52,17 @@ void NearSums::Merge(const NearSums& later) {
     points += later.points;
 }
 
-NearSums MeasureNear(const RayCaster& caster, const Mesh& mesh,
-                     std::span<const Receiver> receivers, const NearOptions& options,
-                     Monitor& monitor) {
+std::vector<NearSums> MeasureNearEach(const RayCaster& caster, const Mesh& mesh,
+                                      std::span<const Receiver> receivers,
+                                      const NearOptions& options,
+                                      std::span<const Falloff> falloffs, Monitor& monitor) {
     Validate(options);
     const NetSampling& sampling = options.sampling;
     const std::size_t R = std::size_t(sampling.replicates), n = std::size_t(sampling.points);
-    NearSums sums{.replicates = int(R),
-                  .points = sampling.points,
-                  .sum = std::vector<double>(receivers.size() * R)};
+    std::vector<NearSums> sums(falloffs.size(),
+                               NearSums{.replicates = int(R),
+                                        .points = sampling.points,
+                                        .sum = std::vector<double>(receivers.size() * R)});
     ParallelFor(
         std::int64_t(receivers.size()), 16,
         [&](std::int64_t begin, std::int64_t end) {
@@ -76,17 +84,27 @@ NearSums MeasureNear(const RayCaster& caster, const Mesh& mesh,
                         rays[s].direction = frame.ToWorld(w).cast<float>();
                     }
                     caster.Closest(rays, hits);
-                    double sum = 0;
-                    for (const Hit& hit : hits) {
-                        sum +=
-                            hit.Met() ? OpennessAt(hit.t, options.reach_m, options.falloff) : 1;
+                    for (std::size_t k = 0; k < falloffs.size(); ++k) {
+                        double sum = 0;
+                        for (const Hit& hit : hits) {
+                            sum +=
+                                hit.Met() ? OpennessAt(hit.t, options.reach_m, falloffs[k]) : 1;
+                        }
+                        sums[k].sum[i * R + r] = sum;
                     }
-                    sums.sum[i * R + r] = sum;
                 }
             }
         },
         monitor, "near visibility");
     return sums;
+}
+
+NearSums MeasureNear(const RayCaster& caster, const Mesh& mesh,
+                     std::span<const Receiver> receivers, const NearOptions& options,
+                     Monitor& monitor) {
+    return std::move(
+        MeasureNearEach(caster, mesh, receivers, options, {&options.falloff, 1}, monitor)
+            .front());
 }
 
 }  // namespace plumb

@@ -5,11 +5,14 @@
 //       hard        g = 0 for d < r, else 1
 //       linear      g = min(1, d / r): X r is the mean free distance, cut off at r
 //       SAO         g = 1 - (1 - d^2 / r^2)^3 for d < r, else 1
+//       quadratic   g = min(1, d^2 / r^2)           HBAO's, and SAO's of G3D 10
+//       far end     g = (d/r - a) / (1 - a) in [0, 1], a = 0.385: GTAO's, near things count whole
 //
 // g(infinity) = 1, so X lies in [0, 1], and is 1 where nothing is near. The hard one is V of a
 // world cut off at r; it tends to V as r grows.
 //
-// Source   SAO's falloff: [McGuire12] (r^2 - v.v)^3 / r^6, without its own other factors.
+// Source   SAO's falloff: [McGuire12] (r^2 - v.v)^3 / r^6, without its own other factors. The
+//          last two: as those methods weigh a sample by its distance.
 // Symbols  r reach (m), d distance along the ray (m), n unit normal, w direction.
 #pragma once
 
@@ -25,7 +28,9 @@
 
 namespace plumb {
 
-enum class Falloff { kHard, kLinear, kSao };
+enum class Falloff { kHard, kLinear, kSao, kQuadratic, kFarEnd };
+
+inline constexpr double kFarEndStart = 0.385;  ///< a, as GTAO is shipped.
 
 /// g(d): how open a direction counts in which something is met at d. Monotone, g(r) = 1.
 double OpennessAt(double d_m, double reach_m, Falloff falloff);
@@ -55,5 +60,13 @@ struct NearSums {
 NearSums MeasureNear(const RayCaster& caster, const Mesh& mesh,
                      std::span<const Receiver> receivers, const NearOptions& options,
                      Monitor& monitor = SilentMonitor());
+
+/// The same for several falloffs, from one set of rays: element k is of falloffs[k], to the bit
+/// what MeasureNear gives with that one.
+std::vector<NearSums> MeasureNearEach(const RayCaster& caster, const Mesh& mesh,
+                                      std::span<const Receiver> receivers,
+                                      const NearOptions& options,
+                                      std::span<const Falloff> falloffs,
+                                      Monitor& monitor = SilentMonitor());
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/error.h"
@@ -91,7 +92,9 @@ TEST(LookThrough, ShowsTwoPlanesWhereTheyAre) {
 // unit disk of (w_x, w_y), where d = x / w_x:
 //   hard    1 - (acos c - c s) / pi
 //   linear  the same + 2 c / pi (acosh(1 / c) - s)
-//   SAO     1 - 2 / pi Int_c^1 (1 - c^2 / u^2)^3 sqrt(1 - u^2) du, by Simpson's rule
+//   others  1 - 2 / pi Int_c^1 (1 - g(c / u)) sqrt(1 - u^2) du, by Simpson's rule, with
+//           1 - g(t) = (1 - t^2)^3 for SAO, 1 - t^2 for HBAO, and min(1, (1 - t) / 0.615) for
+//           GTAO, which has a kink: Simpson's rule is off there by (1/20000)^2 at most.
 TEST(NearVisibility, OfAWallIsKnownForEveryFalloff) {
     const double x = 1;
     Mesh mesh;
@@ -104,17 +107,24 @@ TEST(NearVisibility, OfAWallIsKnownForEveryFalloff) {
         const double c = std::min(1.0, x / reach), s = std::sqrt((1 - c) * (1 + c));
         const double hard = 1 - (std::acos(c) - c * s) / kPi;
         const double linear = hard + 2 * c / kPi * (std::acosh(1 / c) - s);
-        double sao = 1;
-        constexpr int kSteps = 20000;
-        for (int k = 0; k <= kSteps; ++k) {
-            const double u = c + (1 - c) * k / kSteps;
-            const double weight = k == 0 || k == kSteps ? 1 : k % 2 == 1 ? 4 : 2;
-            sao -= weight * (1 - c) / kSteps / 3 * 2 / kPi * std::pow(1 - c * c / (u * u), 3) *
-                   std::sqrt((1 - u) * (1 + u));
-        }
+        const auto simpson = [&](const std::function<double(double)>& occlusion) {
+            double sum = 1;
+            constexpr int kSteps = 20000;
+            for (int k = 0; k <= kSteps; ++k) {
+                const double u = c + (1 - c) * k / kSteps;
+                const double weight = k == 0 || k == kSteps ? 1 : k % 2 == 1 ? 4 : 2;
+                sum -= weight * (1 - c) / kSteps / 3 * 2 / kPi * occlusion(c / u) *
+                       std::sqrt((1 - u) * (1 + u));
+            }
+            return sum;
+        };
+        const double sao = simpson([](double t) { return std::pow(1 - t * t, 3); });
+        const double quadratic = simpson([](double t) { return 1 - t * t; });
+        const double far_end = simpson([](double t) { return std::min(1.0, (1 - t) / 0.615); });
         for (const auto& [falloff, exact] :
              {std::pair{Falloff::kHard, hard}, std::pair{Falloff::kLinear, linear},
-              std::pair{Falloff::kSao, sao}}) {
+              std::pair{Falloff::kSao, sao}, std::pair{Falloff::kQuadratic, quadratic},
+              std::pair{Falloff::kFarEnd, far_end}}) {
             const Measured measured =
                 MeasureNear(caster, mesh, std::span(&middle, 1),
                             {.sampling = {.replicates = 32, .points = 1024},
@@ -143,6 +153,23 @@ TEST(NearVisibility, HardIsTheVisibilityOfOcclusionRaysWithinReach) {
     // Rays of one receiver are cast in another way: a hit at the very end of the reach may
     // round to either side.
     EXPECT_LE(differ, int(near.sum.size() / 1000));
+}
+
+// Expected: several falloffs over one set of rays are what each is alone, to the bit.
+TEST(NearVisibility, OfSeveralFalloffsIsThatOfEach) {
+    const Scene scene = GroundAndBoard();
+    const EmbreeCaster caster(scene.mesh);
+    const PixelGeometry pixels = LookThrough(caster, scene, scene.cameras[0]);
+    NearOptions options{.sampling = {.replicates = 2, .points = 8}, .reach_m = 1.5};
+    const std::vector<Falloff> falloffs{Falloff::kFarEnd, Falloff::kHard, Falloff::kSao};
+    const std::vector<NearSums> all =
+        MeasureNearEach(caster, scene.mesh, pixels.receivers, options, falloffs);
+    ASSERT_EQ(all.size(), 3u);
+    EXPECT_NE(all[0].sum, all[1].sum);
+    for (std::size_t k = 0; k < falloffs.size(); ++k) {
+        options.falloff = falloffs[k];
+        EXPECT_EQ(all[k].sum, MeasureNear(caster, scene.mesh, pixels.receivers, options).sum);
+    }
 }
 
 TEST(NearVisibility, RefusesAReachThatIsNone) {

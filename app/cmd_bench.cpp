@@ -63,6 +63,7 @@ void AddBench(CLI::App& program) {
         ->capture_default_str();
     AddCommon(*light, o->common);
     light->callback([o] { Run(*o); });
+    AddBenchRaster(*bench);
 }
 
 }  // namespace plumb::app

@@ -38,5 +38,6 @@ void AddFit(CLI::App& program);
 void AddSimulate(CLI::App& program);
 void AddTruth(CLI::App& program);
 void AddBench(CLI::App& program);
+void AddBenchRaster(CLI::App& bench);
 
 }  // namespace plumb::app

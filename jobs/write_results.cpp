@@ -115,4 +115,8 @@ void WriteBenchResults(const std::filesystem::path& folder, const LightBench& be
     WriteWholeFile(folder / "bench_light.json", ToJsonText(bench));
 }
 
+void WriteBenchResults(const std::filesystem::path& folder, const RasterBench& bench) {
+    WriteWholeFile(folder / "bench_raster.json", ToJsonText(bench));
+}
+
 }  // namespace plumb

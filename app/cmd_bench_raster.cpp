@@ -1,0 +1,57 @@
+// plumb bench raster: the reference rasterizer beside this machine's memory.
+//
+// Options -> struct -> call -> print.
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "app/command.h"
+#include "jobs/bench_raster.h"
+#include "jobs/load_scene.h"
+#include "jobs/write_results.h"
+
+namespace plumb::app {
+namespace {
+
+struct Options {
+    std::string scene = "make:atrium";
+    RasterBenchSettings settings;
+    Common common;
+};
+
+void Run(const Options& o) {
+    const auto monitor = MakeMonitor(o.common);
+    const RasterBench bench = BenchRaster(LoadScene(o.scene).scene, o.settings, NowS, *monitor);
+    WriteBenchResults(o.common.out, bench);
+    if (o.common.json) {
+        std::cout << ToJsonText(bench);
+    } else if (!o.common.quiet) {
+        WriteTable(std::cout, bench);
+    }
+}
+
+}  // namespace
+
+void AddBenchRaster(CLI::App& bench) {
+    auto o = std::make_shared<Options>();
+    CLI::App* raster = bench.add_subcommand(
+        "raster",
+        "The reference rasterizer: every view of a scene, triangles of seven sizes, each "
+        "beside\n"
+        "copying the same bytes. Writes bench_raster.json to the folder --out.");
+    raster->add_option("scene", o->scene, "scene.json, or make:KIND")->capture_default_str();
+    raster->add_option("--width", o->settings.width_px, "Width of the views [pixels]")
+        ->check(CLI::Range(1, 16384))
+        ->capture_default_str();
+    raster->add_option("--height", o->settings.height_px, "Height of the views [pixels]")
+        ->check(CLI::Range(1, 16384))
+        ->capture_default_str();
+    raster
+        ->add_option("--rounds", o->settings.rounds, "Rounds of each comparison; medians count")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    AddCommon(*raster, o->common);
+    raster->callback([o] { Run(*o); });
+}
+
+}  // namespace plumb::app

@@ -122,10 +122,11 @@ TEST(Gtao, OneSliceIsUnbiasedOverItsTurns) {
 
 TEST(Peers, NeverGiveNanWhateverTheDepths) {
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-    GBuffer g = Mixed(32);
+    GBuffer g =
+        Mixed(33);  // Odd: the rays of the middle column have x = 0, and 0 times infinity.
     int k = 0;
-    for (const float z :
-         {kNan, 0.0f, 1.0f, -1e-30f, -3e38f, std::numeric_limits<float>::infinity()})
+    for (const float z : {kNan, 0.0f, 1.0f, -1e-30f, -3e38f,
+                          std::numeric_limits<float>::infinity(), GBuffer::kSkyZ})
         g.z_m(5 + 3 * k++, 16) = z;
     g.face_normal(20, 20) = Vec3f(kNan, 0, 1);
     g.face_normal(22, 20) = Vec3f(0, 0, 0);

@@ -1,0 +1,63 @@
+#include "jobs/view_truth.h"
+
+#include <bit>
+#include <cmath>
+#include <functional>
+
+#include "core/error.h"
+#include "truth/open_sky.h"
+#include "truth/replicates.h"
+
+namespace plumb {
+namespace {
+
+TruthImage ImageOf(const PixelGeometry& pixels,
+                   const std::function<Measured(std::int64_t)>& of_receiver) {
+    const int w = pixels.depth_m.Width(), h = pixels.depth_m.Height();
+    TruthImage image{Image<float>(w, h, 1), Image<float>(w, h, 0)};
+    for (std::size_t i = 0; i < pixels.receivers.size(); ++i) {
+        const Measured measured = of_receiver(std::int64_t(i));
+        const std::uint32_t pixel = pixels.pixel_of_receiver[i];
+        image.value.Pixels()[pixel] = float(measured.value);
+        image.standard_error.Pixels()[pixel] = float(measured.standard_error);
+    }
+    return image;
+}
+
+}  // namespace
+
+void Validate(const ViewTruthOptions& o) {
+    if (!(o.radius_m > 0 && std::isfinite(o.radius_m))) {
+        throw Error(MustBe("ViewTruthOptions::radius_m", o.radius_m, "in (0, infinity)"));
+    }
+    if (o.spp < 16 || o.spp > (1 << 20) || !std::has_single_bit(unsigned(o.spp))) {
+        throw Error(MustBe("ViewTruthOptions::spp", o.spp, "a power of two in [16, 2^20]"));
+    }
+}
+
+ViewTruth MeasureViewTruth(const RayCaster& caster, const Scene& scene, const Camera& camera,
+                           std::span<const Falloff> falloffs, const ViewTruthOptions& options,
+                           Monitor& monitor) {
+    Validate(options);
+    ViewTruth truth;
+    truth.pixels = LookThrough(caster, scene, camera);
+    const NetSampling sampling{
+        .replicates = kTruthNets, .points = options.spp / kTruthNets, .seed = options.seed};
+    const auto& receivers = truth.pixels.receivers;
+    if (options.far) {
+        const OpenCounts open =
+            CountOpenSky(caster, scene.mesh, receivers, {.sampling = sampling}, monitor);
+        truth.V = ImageOf(truth.pixels, [&](std::int64_t i) { return open.Of(i); });
+        truth.lost += open.lost;
+    }
+    const std::vector<NearSums> near =
+        MeasureNearEach(caster, scene.mesh, receivers,
+                        {.sampling = sampling, .reach_m = options.radius_m}, falloffs, monitor);
+    for (std::size_t k = 0; k < near.size(); ++k) {
+        truth.near[falloffs[k]] =
+            ImageOf(truth.pixels, [&](std::int64_t i) { return near[k].Of(i); });
+    }
+    return truth;
+}
+
+}  // namespace plumb

@@ -17,7 +17,7 @@ namespace {
 struct Options {
     std::string scene;
     TruthJob job;
-    bool no_alpha = false;
+    bool no_alpha = false, no_v = false, no_cache = false;
     Common common;
 };
 
@@ -25,6 +25,8 @@ void RunTruth(Options o) {
     SetThreadCount(o.common.threads);
     const auto monitor = MakeMonitor(o.common);
     o.job.alpha = !o.no_alpha;
+    o.job.V = !o.no_v;
+    o.job.use_cache = !o.no_cache;
     o.job.seed = o.common.seed;
     const TruthResult result = MeasureTruth(LoadScene(o.scene), o.job, o.common.out,
                                             PLUMB_VERSION, CommandLine(), NowS, *monitor);
@@ -43,8 +45,10 @@ void AddTruth(CLI::App& program) {
     auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand(
         "truth",
-        "Path-trace one view of a scene under a white sky: V, alpha, bounces, each with its\n"
-        "standard error. Writes truth.exr, truth.png, truth.json and truth.state.");
+        "Path-trace one view of a scene: V, alpha and bounces under a white sky, irradiance "
+        "and\n"
+        "beauty under its own, each with its standard error. Writes truth.exr, truth.json and\n"
+        "pictures; states go to the cache.");
     command
         ->add_option("scene", o->scene,
                      "A scene.json, or a generated scene such as atrium (docs/scenes.md)")
@@ -56,6 +60,11 @@ void AddTruth(CLI::App& program) {
     command->add_option("--height", o->job.height_px, "Height of the picture [px]")
         ->check(CLI::Range(1, 65536));
     command->add_flag("--no-alpha", o->no_alpha, "Leave out the uniform visibility");
+    command->add_flag("--no-v", o->no_v, "Leave out the cosine visibility");
+    command->add_flag("--irradiance", o->job.irradiance,
+                      "Also the light with the scene's own albedos, sky and lights");
+    command->add_flag("--beauty", o->job.beauty,
+                      "Also the shading model, averaged over each pixel");
     command
         ->add_option("--bounces", o->job.bounces,
                      "Also E_1 ... E_K: the light of each of K bounces")
@@ -77,12 +86,18 @@ void AddTruth(CLI::App& program) {
                      "Stop at this many samples a pixel: a power of two, at least 64")
         ->capture_default_str();
     command
-        ->add_option("--target-error", o->job.target_error,
-                     "Stop when the root mean square standard error of V is this small, > 0")
+        ->add_option(
+            "--target-error", o->job.target_error,
+            "Stop when the root mean square standard error of V (without V: of irradiance,\n"
+            "or beauty) is this small, > 0")
         ->check(CLI::PositiveNumber);
     command->add_option("--seconds", o->job.max_seconds, "Stop after this time [s], > 0")
         ->check(CLI::PositiveNumber);
-    command->add_flag("--resume", o->job.resume, "Go on from truth.state in the folder");
+    command->add_flag("--resume", o->job.resume,
+                      "Refuse to start anew: the cache must have a state to go on from");
+    command->add_option("--cache", o->job.cache,
+                        "Folder of states; the folder cache in that of --out if not given");
+    command->add_flag("--no-cache", o->no_cache, "Keep no state, and use none");
     AddCommon(*command, o->common);
     command->callback([o] { RunTruth(*o); });
 }

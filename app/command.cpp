@@ -99,8 +99,9 @@ std::string CommandLine() {
 }
 
 void RememberCommandLine(int argc, char** argv) {
-    const std::vector<std::string> with_value = {"-o", "--out", "--threads"};
-    const std::vector<std::string> flags = {"-q", "--quiet", "--json"};
+    const std::vector<std::string> with_value = {"-o", "--out", "--threads", "--cache"};
+    const std::vector<std::string> flags = {"-q", "--quiet", "--json", "--resume",
+                                            "--no-cache"};
     const auto is = [](const std::string& word, const std::vector<std::string>& list) {
         for (const std::string& option : list) {
             if (word == option) return true;
@@ -116,7 +117,9 @@ void RememberCommandLine(int argc, char** argv) {
             ++k;
             continue;
         }
-        if (word.starts_with("--out=") || word.starts_with("--threads=")) continue;
+        if (word.starts_with("--out=") || word.starts_with("--threads=") ||
+            word.starts_with("--cache="))
+            continue;
         // A path is named by its last part: no folder of the machine gets into a report.
         if (word.find('/') != std::string::npos && word[0] != '-') {
             word = std::filesystem::path(word).filename().string();

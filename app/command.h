@@ -30,7 +30,8 @@ std::unique_ptr<Monitor> MakeMonitor(const Common& common);
 double NowS();
 
 /// The command line as the user gave it, for provenance: "plumb fit a.png --slices 64". --out,
-/// --threads, --quiet and --json are left out: they change no number.
+/// --threads, --cache, --no-cache, --resume, --quiet and --json are left out: they change no
+/// number.
 std::string CommandLine();
 void RememberCommandLine(int argc, char** argv);
 

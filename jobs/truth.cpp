@@ -8,6 +8,8 @@
 #include "core/error.h"
 #include "io/image_io.h"
 #include "io/whole_file.h"
+#include "jobs/truth_cache.h"
+#include "jobs/truth_passes.h"
 #include "jobs/truth_pictures.h"
 #include "jobs/truth_state.h"
 #include "truth/embree_caster.h"
@@ -15,72 +17,111 @@
 namespace plumb {
 namespace {
 
-constexpr std::int64_t kFirstPass = 8;  // Points of each net.
-
-// Takes the passes; stands for one run.
-class Run {
-  public:
-    Run(const RayCaster& caster, const Mesh& mesh, const std::vector<Receiver>& receivers,
-        const TruthJob& job, Monitor& monitor)
-        : caster_(caster), mesh_(mesh), receivers_(receivers), job_(job), monitor_(monitor) {}
-
-    // `points` more of each net. All of it or nothing reaches `counts`.
-    void Pass(TruthCounts& counts, std::int64_t points) const {
-        const NetSampling sampling{.replicates = kTruthNets,
-                                   .first = counts.points,
-                                   .points = points,
-                                   .seed = job_.seed};
-        TruthCounts pass;
-        pass.points = points;
-        if (job_.alpha) {
-            pass.alpha = CountOpenSky(
-                caster_, mesh_, receivers_,
-                {.sampling = sampling, .weighting = HemisphereWeight::kUniform}, monitor_);
-        }
-        if (job_.bounces > 0) {
-            pass.walks =
-                WalkToTheSky(caster_, mesh_, receivers_,
-                             {.sampling = sampling, .bounces = job_.bounces}, monitor_);
-        } else {
-            pass.V = CountOpenSky(caster_, mesh_, receivers_, {.sampling = sampling}, monitor_);
-        }
-        if (job_.reach_m > 0) {
-            pass.near = MeasureNear(
-                caster_, mesh_, receivers_,
-                {.sampling = sampling, .reach_m = job_.reach_m, .falloff = job_.falloff},
-                monitor_);
-        }
-        Merge(counts, std::move(pass));
+void AddQuantities(const TruthCounts& counts, const TruthJob& job, TruthPictures& pictures) {
+    if (counts.walks || counts.V) {
+        pictures.Add("V", 1, [&](std::int64_t i) { return TruthPasses::V(counts, i); });
     }
-
-    Measured V(const TruthCounts& counts, std::int64_t i) const {
-        return counts.walks ? counts.walks->Bounce(i, 0) : counts.V->Of(i);
+    if (counts.alpha) {
+        pictures.Add("alpha", 1, [&](std::int64_t i) { return counts.alpha->Of(i); });
     }
-
-    double RmsErrorOfV(const TruthCounts& counts) const {
-        double squares = 0;
-        for (std::size_t i = 0; i < receivers_.size(); ++i) {
-            const double error = V(counts, std::int64_t(i)).standard_error;
-            squares += error * error / double(receivers_.size());
+    if (counts.near) {
+        pictures.Add("V_near", 1, [&](std::int64_t i) { return counts.near->Of(i); });
+    }
+    if (counts.walks) {
+        for (int k = 1; k <= job.bounces; ++k) {
+            pictures.Add("E_" + std::to_string(k), 0,
+                         [&](std::int64_t i) { return counts.walks->Bounce(i, k); });
         }
-        return std::sqrt(squares);
+        pictures.Add("under_way", 0, [&](std::int64_t i) { return counts.walks->UnderWay(i); });
+        for (const double rho : job.albedos) {
+            std::ostringstream name;
+            name << "E(" << rho << ")";
+            pictures.Add(name.str(), 1,
+                         [&](std::int64_t i) { return counts.walks->Total(i, Albedo(rho)); });
+        }
     }
+    if (counts.irradiance) pictures.AddColour("irradiance", counts.irradiance->sums);
+    if (counts.beauty) pictures.AddColourOfPixels("beauty", *counts.beauty);
+}
 
-  private:
-    const RayCaster& caster_;
-    const Mesh& mesh_;
-    const std::vector<Receiver>& receivers_;
-    const TruthJob& job_;
-    Monitor& monitor_;
-};
+Lost LostIn(const TruthCounts& counts) {
+    Lost lost;
+    if (counts.alpha) lost += counts.alpha->lost;
+    if (counts.V) lost += counts.V->lost;
+    if (counts.walks) lost += counts.walks->lost;
+    if (counts.irradiance) lost += counts.irradiance->lost;
+    return lost;
+}
 
-std::string BounceName(int k) {
-    return "E_" + std::to_string(k);
+// Warnings that a run still makes sense with.
+std::vector<std::string> Warnings(const RayCaster& caster, const Scene& scene,
+                                  const Camera& camera, const PixelGeometry& pixels) {
+    std::vector<std::string> notes;
+    if (const std::int64_t n = caster.Counts().zero_area; n > 0) {
+        notes.push_back(std::to_string(n) + " triangles without area were kept out");
+    }
+    if (pixels.receivers.empty()) notes.push_back("no pixel shows a surface");
+    constexpr double kMost = 0.5;
+    if (ShareOfBacksAround(caster, scene.mesh, camera.position_m) > kMost) {
+        notes.push_back(
+            "around the camera most directions show the backs of faces: it may stand inside a "
+            "body");
+    }
+    return notes;
+}
+
+const Image<float>* ChannelNamed(const std::vector<NamedChannel>& channels,
+                                 const std::string& name) {
+    for (const NamedChannel& channel : channels) {
+        if (channel.name == name) return &channel.pixels;
+    }
+    return nullptr;
+}
+
+// A picture of the colour `name`, if it was measured.
+void WriteColourPreview(const std::filesystem::path& path,
+                        const std::vector<NamedChannel>& channels, const std::string& name) {
+    const Image<float>* red = ChannelNamed(channels, name + ".R");
+    if (red == nullptr) return;
+    Image<Rgb> image(red->Width(), red->Height());
+    for (std::size_t c = 0; c < 3; ++c) {
+        const Image<float>& of = *ChannelNamed(channels, name + "." + "RGB"[c]);
+        for (std::size_t p = 0; p < image.Pixels().size(); ++p) {
+            image.Pixels()[p][c] = of.Pixels()[p];
+        }
+    }
+    WritePreview(path, image);
+}
+
+void Write(TruthResult& result, const std::filesystem::path& folder, const LoadedScene& loaded,
+           const TruthJob& job) {
+    const TruthReport& report = result.report;
+    result.exr = folder / "truth.exr";
+    result.json = folder / "truth.json";
+    WriteExr(result.exr, result.channels,
+             {{"plumb:version", report.tool_version},
+              {"plumb:command", report.command},
+              {"plumb:scene", loaded.scene.name},
+              {"plumb:scene_sha256", loaded.digest},
+              {"plumb:camera", report.camera},
+              {"plumb:seed", std::to_string(job.seed)},
+              {"plumb:spp", std::to_string(report.spp)},
+              {"plumb:stopped_by", report.stopped_by}});
+    if (const Image<float>* V = ChannelNamed(result.channels, "V")) {
+        WritePreview(folder / "truth.png", *V);
+    }
+    WriteColourPreview(folder / "truth_irradiance.png", result.channels, "irradiance");
+    WriteColourPreview(folder / "truth_beauty.png", result.channels, "beauty");
+    WriteWholeFile(result.json, ToJsonText(report));
 }
 
 }  // namespace
 
 void Validate(const TruthJob& job) {
+    if (!job.V && !job.alpha && job.bounces == 0 && job.reach_m == 0 && !job.irradiance &&
+        !job.beauty) {
+        throw Error("nothing to measure, must ask for a quantity");
+    }
     if (job.bounces < 0 || job.bounces > 100) {
         throw Error(MustBe("bounces", job.bounces, "in [0, 100]"));
     }
@@ -93,7 +134,7 @@ void Validate(const TruthJob& job) {
     if (!(job.reach_m >= 0 && std::isfinite(job.reach_m))) {
         throw Error(MustBe("reach_m", job.reach_m, "finite and >= 0"));
     }
-    if (job.max_spp < kTruthNets * kFirstPass ||
+    if (job.max_spp < kTruthNets * kFirstPassPoints ||
         !std::has_single_bit(std::uint32_t(job.max_spp))) {
         throw Error(MustBe("spp", job.max_spp, "a power of two >= 64"));
     }
@@ -138,97 +179,47 @@ TruthResult MeasureTruth(const LoadedScene& loaded, const TruthJob& job,
               .zero_area_triangles = caster.Counts().zero_area,
               .lost_walks = 0,
               .notes = loaded.notes};
-    if (report.zero_area_triangles > 0) {
-        report.notes.push_back(std::to_string(report.zero_area_triangles) +
-                               " triangles without area were kept out");
-    }
-    if (report.pixels_seen == 0) report.notes.push_back("no pixel shows a surface");
-
-    const std::filesystem::path state_path = folder / "truth.state";
-    const std::string key = KeyOfTruth(loaded, camera, job, tool_version);
-    TruthCounts counts;
-    if (job.resume) {
-        if (!std::filesystem::exists(state_path)) {
-            throw Error(state_path.string() + ": is missing, must be there to resume");
-        }
-        std::optional<TruthCounts> kept =
-            TruthFromBytes(ReadWholeFile(state_path), key, report.pixels_seen, job);
-        if (!kept) {
-            throw Error(state_path.string() +
-                        ": is of another scene or other settings, or damaged");
-        }
-        counts = std::move(*kept);
+    for (std::string& note : Warnings(caster, scene, camera, pixels)) {
+        report.notes.push_back(std::move(note));
     }
 
-    const Run run(caster, scene.mesh, pixels.receivers, job, monitor);
-    const std::int64_t max_points = job.max_spp / kTruthNets;
-    const auto stop_rule = [&]() -> std::string {
-        if (counts.points == 0) return "";
-        if (job.target_error > 0 && run.RmsErrorOfV(counts) <= job.target_error) {
-            return "target error";
+    const TruthPasses passes(caster, scene, camera, pixels, job, monitor);
+    TruthCache cache(job.cache.empty() ? folder / "cache" : job.cache,
+                     KeyOfTruth(loaded, camera, job, tool_version),
+                     {.receivers = report.pixels_seen,
+                      .pixels = std::int64_t(camera.width_px) * camera.height_px},
+                     job);
+    TruthCounts counts = cache.Load().value_or(TruthCounts{});
+    if (!cache.Note().empty()) report.notes.push_back(cache.Note());
+    while ((report.stopped_by = StopRule(counts, job)).empty()) {
+        if (counts.points > 0 && clock() - start_s >= job.max_seconds) {
+            report.stopped_by = "time";
+            break;
         }
-        if (counts.points >= max_points) return "samples";
-        if (clock() - start_s >= job.max_seconds) return "time";
-        return "";
-    };
-    while ((report.stopped_by = stop_rule()).empty()) {
-        // Doubles the points: 8, 8, 16, 32, ...
-        const std::int64_t points = counts.points == 0 ? kFirstPass : counts.points;
         try {
-            run.Pass(counts, points);
+            passes.Next(counts);
         } catch (const Interrupted&) {
             if (counts.points == 0) throw;
             result.interrupted = true;
             report.stopped_by = "interruption";
             break;
         }
-        WriteWholeFile(state_path, ToBytes(counts, key));
+        cache.Store(counts);
     }
 
     TruthPictures pictures(pixels);
-    pictures.Add("V", 1, [&](std::int64_t i) { return run.V(counts, i); });
-    if (counts.alpha) {
-        pictures.Add("alpha", 1, [&](std::int64_t i) { return counts.alpha->Of(i); });
-        result.lost += counts.alpha->lost;
-    }
-    if (counts.V) result.lost += counts.V->lost;
-    if (counts.near) {
-        pictures.Add("V_near", 1, [&](std::int64_t i) { return counts.near->Of(i); });
-    }
-    if (counts.walks) {
-        result.lost += counts.walks->lost;
-        for (int k = 1; k <= job.bounces; ++k) {
-            pictures.Add(BounceName(k), 0,
-                         [&](std::int64_t i) { return counts.walks->Bounce(i, k); });
-        }
-        pictures.Add("under_way", 0, [&](std::int64_t i) { return counts.walks->UnderWay(i); });
-        for (const double rho : job.albedos) {
-            std::ostringstream name;
-            name << "E(" << rho << ")";
-            pictures.Add(name.str(), 1,
-                         [&](std::int64_t i) { return counts.walks->Total(i, Albedo(rho)); });
-        }
+    AddQuantities(counts, job, pictures);
+    result.lost = LostIn(counts);
+    if (counts.irradiance && counts.irradiance->cut > 0) {
+        report.notes.push_back(std::to_string(counts.irradiance->cut) +
+                               " walks were cut off: irradiance is too low");
     }
     report.quantities = pictures.quantities;
     report.spp = counts.points * kTruthNets;
     report.lost_walks = result.lost.All();
-    const Image<float> V = pictures.channels.front().pixels;
     pictures.AddGeometry();
-
-    result.exr = folder / "truth.exr";
-    result.preview = folder / "truth.png";
-    result.json = folder / "truth.json";
-    WriteExr(result.exr, pictures.channels,
-             {{"plumb:version", tool_version},
-              {"plumb:command", command},
-              {"plumb:scene", loaded.scene.name},
-              {"plumb:scene_sha256", loaded.digest},
-              {"plumb:camera", camera.name},
-              {"plumb:seed", std::to_string(job.seed)},
-              {"plumb:spp", std::to_string(report.spp)},
-              {"plumb:stopped_by", report.stopped_by}});
-    WritePreview(result.preview, V);
-    WriteWholeFile(result.json, ToJsonText(report));
+    result.channels = std::move(pictures.channels);
+    Write(result, folder, loaded, job);
     result.seconds = clock() - start_s;
     return result;
 }

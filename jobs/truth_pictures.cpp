@@ -9,14 +9,48 @@ namespace plumb {
 
 void TruthPictures::Add(const std::string& name, double sky,
                         const std::function<Measured(std::int64_t)>& measured) {
+    AddMeasured(name, name + ".error", sky, PlacesOfReceivers(), measured);
+}
+
+void TruthPictures::AddColour(const std::string& name, const RgbSums& of_receivers) {
+    AddColour(name, of_receivers, PlacesOfReceivers());
+}
+
+void TruthPictures::AddColourOfPixels(const std::string& name, const RgbSums& of_pixels) {
+    std::vector<Place> places;
+    for (std::size_t p = 0; p < pixels_.depth_m.Pixels().size(); ++p) {
+        places.push_back({std::int64_t(p), p});
+    }
+    AddColour(name, of_pixels, places);
+}
+
+void TruthPictures::AddColour(const std::string& name, const RgbSums& sums,
+                              const std::vector<Place>& places) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        const std::string colour(1, "RGB"[c]);
+        AddMeasured(name + "." + colour, name + ".error." + colour, 0, places,
+                    [&](std::int64_t i) { return sums.Of(i, c); });
+    }
+}
+
+std::vector<TruthPictures::Place> TruthPictures::PlacesOfReceivers() const {
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < pixels_.receivers.size(); ++i) {
+        places.push_back({std::int64_t(i), pixels_.pixel_of_receiver[i]});
+    }
+    return places;
+}
+
+void TruthPictures::AddMeasured(const std::string& value_name, const std::string& error_name,
+                                double sky, const std::vector<Place>& places,
+                                const std::function<Measured(std::int64_t)>& measured) {
     const int w = pixels_.depth_m.Width(), h = pixels_.depth_m.Height();
     Image<float> value(w, h, float(sky)), error(w, h, 0);
-    TruthQuantity quantity{.name = name, .mean = 0, .rms_error = 0};
-    const double n = double(std::max<std::size_t>(1, pixels_.receivers.size()));
+    TruthQuantity quantity{.name = value_name, .mean = 0, .rms_error = 0};
+    const double n = double(std::max<std::size_t>(1, places.size()));
     double squares = 0;
-    for (std::size_t i = 0; i < pixels_.receivers.size(); ++i) {
-        const Measured m = measured(std::int64_t(i));
-        const std::uint32_t pixel = pixels_.pixel_of_receiver[i];
+    for (const auto& [number, pixel] : places) {
+        const Measured m = measured(number);
         value.Pixels()[pixel] = float(m.value);
         error.Pixels()[pixel] = float(m.standard_error);
         quantity.mean += m.value / n;
@@ -24,8 +58,8 @@ void TruthPictures::Add(const std::string& name, double sky,
     }
     quantity.rms_error = std::sqrt(squares);
     quantities.push_back(quantity);
-    channels.push_back({name, std::move(value)});
-    channels.push_back({name + ".error", std::move(error)});
+    channels.push_back({value_name, std::move(value)});
+    channels.push_back({error_name, std::move(error)});
 }
 
 void TruthPictures::AddPlain(const std::string& name,

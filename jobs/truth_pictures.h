@@ -11,6 +11,7 @@
 #include "reports/truth_report.h"
 #include "truth/pixels.h"
 #include "truth/replicates.h"
+#include "truth/rgb_sums.h"
 
 namespace plumb {
 
@@ -22,6 +23,12 @@ class TruthPictures {
     void Add(const std::string& name, double sky,
              const std::function<Measured(std::int64_t)>& measured);
 
+    /// Channels name.R ... and name.error.R ... of a colour; where the sky is seen 0.
+    void AddColour(const std::string& name, const RgbSums& of_receivers);
+
+    /// The same of every pixel, the sky too.
+    void AddColourOfPixels(const std::string& name, const RgbSums& of_pixels);
+
     /// depth_m, normal.xyz, position_m.xyz, albedo.RGB and triangle_bits.
     void AddGeometry();
 
@@ -29,6 +36,17 @@ class TruthPictures {
     std::vector<TruthQuantity> quantities;
 
   private:
+    struct Place {
+        std::int64_t number;  // Of the receiver, or of the pixel.
+        std::size_t pixel;
+    };
+
+    void AddColour(const std::string& name, const RgbSums& sums,
+                   const std::vector<Place>& places);
+    void AddMeasured(const std::string& value_name, const std::string& error_name, double sky,
+                     const std::vector<Place>& places,
+                     const std::function<Measured(std::int64_t)>& measured);
+    std::vector<Place> PlacesOfReceivers() const;
     void AddPlain(const std::string& name, const std::function<float(std::size_t)>& of_pixel);
 
     const PixelGeometry& pixels_;

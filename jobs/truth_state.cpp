@@ -1,5 +1,7 @@
 #include "jobs/truth_state.h"
 
+#include <array>
+#include <bit>
 #include <cstring>
 #include <span>
 #include <sstream>
@@ -72,11 +74,23 @@ void VisitNumbers(Counts& counts, Visit&& visit) {
         visit(One(counts.walks->lost));
     }
     if (counts.near) visit(std::span(counts.near->sum));
+    if (counts.irradiance) {
+        visit(std::span(counts.irradiance->sums.sum));
+        visit(One(counts.irradiance->lost));
+        visit(One(counts.irradiance->cut));
+    }
+    if (counts.beauty) visit(std::span(counts.beauty->sum));
+    visit(std::span(counts.rms_errors));
 }
 
 // Counts of the right size, all zero.
-TruthCounts Empty(std::int64_t points, std::int64_t receivers, const TruthJob& job) {
-    const std::size_t cells = std::size_t(receivers) * kTruthNets;
+TruthCounts Empty(std::int64_t points, const TruthSizes& sizes, const TruthJob& job) {
+    const std::size_t cells = std::size_t(sizes.receivers) * kTruthNets;
+    const auto colours = [&](std::int64_t n) {
+        return RgbSums{.replicates = kTruthNets,
+                       .points = points,
+                       .sum = std::vector<std::array<double, 3>>(std::size_t(n) * kTruthNets)};
+    };
     const OpenCounts open{.replicates = kTruthNets,
                           .points = points,
                           .open = std::vector<std::uint32_t>(cells),
@@ -84,12 +98,20 @@ TruthCounts Empty(std::int64_t points, std::int64_t receivers, const TruthJob& j
     TruthCounts counts;
     counts.points = points;
     if (job.alpha) counts.alpha = open;
-    if (job.bounces == 0) counts.V = open;
-    if (job.bounces > 0) counts.walks.emplace(receivers, kTruthNets, job.bounces, points);
+    if (job.bounces > 0) {
+        counts.walks.emplace(sizes.receivers, kTruthNets, job.bounces, points);
+    } else if (job.V) {
+        counts.V = open;
+    }
     if (job.reach_m > 0) {
         counts.near = NearSums{
             .replicates = kTruthNets, .points = points, .sum = std::vector<double>(cells)};
     }
+    if (job.irradiance) {
+        counts.irradiance = IrradianceSums{.sums = colours(sizes.receivers), .lost = {}};
+    }
+    if (job.beauty) counts.beauty = colours(sizes.pixels);
+    for (std::int64_t n = points; n >= kFirstPassPoints; n /= 2) counts.rms_errors.push_back(0);
     return counts;
 }
 
@@ -110,6 +132,8 @@ void Merge(TruthCounts& all, TruthCounts&& later) {
     MergeInto(all.V, std::move(later.V));
     MergeInto(all.walks, std::move(later.walks));
     MergeInto(all.near, std::move(later.near));
+    MergeInto(all.irradiance, std::move(later.irradiance));
+    MergeInto(all.beauty, std::move(later.beauty));
     all.points += later.points;
 }
 
@@ -117,8 +141,9 @@ std::string KeyOfTruth(const LoadedScene& loaded, const Camera& camera, const Tr
                        const std::string& tool_version) {
     std::ostringstream text;
     text << std::hexfloat << tool_version << ' ' << loaded.digest << ' ' << job.seed << ' '
-         << job.alpha << ' ' << job.bounces << ' ' << job.reach_m << ' ' << int(job.falloff)
-         << ' ' << camera.fov_rad << ' ' << camera.width_px << ' ' << camera.height_px;
+         << job.alpha << ' ' << job.V << ' ' << job.irradiance << ' ' << job.beauty << ' '
+         << job.bounces << ' ' << job.reach_m << ' ' << int(job.falloff) << ' '
+         << camera.fov_rad << ' ' << camera.width_px << ' ' << camera.height_px;
     for (const Vec3& v : {camera.position_m, camera.target_m, camera.up}) {
         text << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
     }
@@ -134,7 +159,7 @@ std::string ToBytes(const TruthCounts& counts, const std::string& key) {
 }
 
 std::optional<TruthCounts> TruthFromBytes(const std::string& bytes, const std::string& key,
-                                          std::int64_t receivers, const TruthJob& job) {
+                                          const TruthSizes& sizes, const TruthJob& job) {
     if (bytes.size() < key.size() + kDigits || !bytes.starts_with(key)) return std::nullopt;
     const std::string_view all = bytes;
     const std::string_view content = all.substr(0, all.size() - kDigits);
@@ -142,8 +167,11 @@ std::optional<TruthCounts> TruthFromBytes(const std::string& bytes, const std::s
     Reader read(content.substr(key.size()));
     std::int64_t points = 0;
     read(One(points));
-    if (!read.Fits() || points < 1) return std::nullopt;
-    TruthCounts counts = Empty(points, receivers, job);
+    if (!read.Fits() || points < kFirstPassPoints ||
+        !std::has_single_bit(std::uint64_t(points))) {
+        return std::nullopt;
+    }
+    TruthCounts counts = Empty(points, sizes, job);
     VisitNumbers(counts, read);
     if (!read.Fits() || !read.IsAtEnd()) return std::nullopt;
     return counts;

@@ -7,15 +7,19 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "jobs/truth.h"
+#include "truth/beauty.h"
 #include "truth/escape_walk.h"
+#include "truth/irradiance.h"
 #include "truth/near_visibility.h"
 #include "truth/open_sky.h"
 
 namespace plumb {
 
 inline constexpr int kTruthNets = 8;
+inline constexpr std::int64_t kFirstPassPoints = 8;  ///< Of each net; doubled by every pass.
 
 /// Which members are there follows from the job.
 struct TruthCounts {
@@ -23,6 +27,13 @@ struct TruthCounts {
     std::optional<OpenCounts> alpha, V;
     std::optional<EscapeCounts> walks;
     std::optional<NearSums> near;
+    std::optional<IrradianceSums> irradiance;
+    std::optional<RgbSums> beauty;   ///< Of pixels.
+    std::vector<double> rms_errors;  ///< After each pass, of what the target error is about.
+};
+
+struct TruthSizes {
+    std::int64_t receivers = 0, pixels = 0;
 };
 
 /// Adds later points of the same nets.
@@ -36,6 +47,6 @@ std::string ToBytes(const TruthCounts& counts, const std::string& key);
 
 /// Nothing if the bytes are not a whole state of the job with that key.
 std::optional<TruthCounts> TruthFromBytes(const std::string& bytes, const std::string& key,
-                                          std::int64_t receivers, const TruthJob& job);
+                                          const TruthSizes& sizes, const TruthJob& job);
 
 }  // namespace plumb

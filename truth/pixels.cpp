@@ -1,10 +1,34 @@
 #include "truth/pixels.h"
 
+#include <cmath>
+
 #include "core/parallel.h"
 #include "core/surface.h"
 #include "truth/triangle.h"
 
 namespace plumb {
+
+double ShareOfBacksAround(const RayCaster& caster, const Mesh& mesh, const Vec3& point_m) {
+    constexpr int kDirections = 256;
+    constexpr double kGoldenAngle = 2.399963229728653;  // pi (3 - sqrt 5): Fibonacci's lattice.
+    std::vector<Ray> rays(kDirections);
+    std::vector<Hit> hits(rays.size());
+    for (int i = 0; i < kDirections; ++i) {
+        const double z = 1 - (2 * i + 1.0) / kDirections, r = std::sqrt(1 - z * z);
+        rays[std::size_t(i)].origin_m = point_m.cast<float>();
+        rays[std::size_t(i)].direction =
+            Vec3(r * std::cos(i * kGoldenAngle), r * std::sin(i * kGoldenAngle), z)
+                .cast<float>();
+    }
+    caster.Closest(rays, hits);
+    double backs = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!hits[i].Met()) continue;
+        const Vec3 front = TriangleOf(mesh, hits[i].triangle).Cross();
+        backs += front.dot(rays[i].direction.cast<double>()) > 0;
+    }
+    return backs / kDirections;
+}
 
 PixelGeometry LookThrough(const RayCaster& caster, const Scene& scene, const Camera& camera) {
     Validate(camera);

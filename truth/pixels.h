@@ -33,4 +33,8 @@ struct PixelGeometry {
 /// Camera number `camera` of the scene, whose mesh the caster holds.
 PixelGeometry LookThrough(const RayCaster& caster, const Scene& scene, const Camera& camera);
 
+/// Share of the directions from a point, even over the sphere, in which a face's back is met
+/// first: 1 inside a body whose faces look outward.
+double ShareOfBacksAround(const RayCaster& caster, const Mesh& mesh, const Vec3& point_m);
+
 }  // namespace plumb

@@ -230,6 +230,20 @@ TEST(Irradiance, OfASkyThatIsAPicture) {
     }
 }
 
+// Expected: the mean of w_z^2 over all directions is 1/3. Slack: the texels' second order.
+TEST(Environment, MeanCountsTexelsByTheirSolidAngle) {
+    Environment sky;
+    sky.radiance = Image<Rgb>(4, 128);
+    for (int j = 0; j < 128; ++j) {
+        const float z = float(std::cos(kPi * (j + 0.5) / 128));
+        for (int i = 0; i < 4; ++i) sky.radiance(i, j) = {z * z, 1, 0};
+    }
+    EXPECT_NEAR(MeanRadiance(sky)[0], 1.0 / 3, std::pow(kPi / 128, 2));
+    EXPECT_NEAR(MeanRadiance(sky)[1], 1, 1e-6);
+    EXPECT_EQ(MeanRadiance({})[2], 1);
+    EXPECT_EQ(RadianceFrom({}, {0, 0, -1}), (Rgb{1, 1, 1}));
+}
+
 TEST(Irradiance, SameBitsOnOneAndTwoThreads) {
     Scene scene = OfMesh(Bowl(1), {0.5f, 0.7f, 0.9f});
     scene.light.points = {{.position_m = {0, 0, 1}, .intensity = {1, 1, 1}}};

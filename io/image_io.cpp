@@ -93,6 +93,8 @@ void WriteExr(const std::filesystem::path& path, const std::vector<NamedChannel>
         }
     }
     spec.attribute("compression", "zip");
+    // Without a date of ours OpenImageIO writes the time of day, and no file equals another.
+    spec.attribute("DateTime", "1970:01:01 00:00:00");
     for (const auto& [key, text] : texts) spec.attribute(key, text);
     Encode(path, "exr", spec, numbers);
 }

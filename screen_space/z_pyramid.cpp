@@ -14,12 +14,6 @@ namespace {
 constexpr float kSky = -std::numeric_limits<float>::infinity();
 constexpr float kFarthest = -1e18f, kNearest = -1e-18f;  // their squares are finite floats
 
-// Rows whose starts lie a multiple of 4 KiB apart compete for the same lines of the cache.
-int Pitch(int width) {
-    const int lanes = 16, whole = (width + lanes - 1) / lanes * lanes;
-    return whole % 1024 == 0 ? whole + lanes : whole;
-}
-
 [[noreturn]] void ThrowBadDepth(const Image<float>& z_m, int j) {
     for (int i = 0; i < z_m.Width(); ++i) {
         const float z = z_m(i, j);
@@ -38,14 +32,23 @@ ZPyramid::ZPyramid(const Image<float>& z_m, ZFilter filter, int coarsest)
     : coarsest_(coarsest) {
     assert(!z_m.Empty() && 0 <= coarsest && coarsest < kMostLevels);
     int width = z_m.Width(), height = z_m.Height();
-    std::int32_t offset = 0;
+    const int lanes = 16;  // of the widest vectors
+    const int whole = std::max(1 << coarsest, lanes);
+    span_ = (width + whole - 1) / whole * whole;
+    // An odd number of cache lines: rows above each other then compete for no lines of the cache.
+    pitch_ = span_ / lanes % 2 == 0 ? span_ + lanes : span_;
+    const int rows = coarsest > 0 ? height + (height + 1) / 2 : height;
     for (int level = 0; level <= coarsest; ++level) {
-        levels_[std::size_t(level)] = {width, height, Pitch(width), offset};
-        offset += Pitch(width) * height;
+        levels_[std::size_t(level)] = {
+            width, height,
+            level == 0 ? 0 : Strip() - std::int32_t(2 * std::int64_t(span_) >> level)};
         width = (width + 1) / 2;
         height = (height + 1) / 2;
     }
-    texels_ = std::make_unique_for_overwrite<float[]>(std::size_t(offset));
+    const std::size_t texels = std::size_t(rows) * std::size_t(pitch_);
+    texels_ = std::make_unique_for_overwrite<float[]>(texels + 2 * kMargin);
+    std::fill_n(texels_.get(), kMargin, kSky);
+    std::fill_n(texels_.get() + kMargin + texels, kMargin, kSky);
     CopyFinest(z_m);
     for (int level = 1; level <= coarsest; ++level) Minify(filter, level);
 }
@@ -55,14 +58,15 @@ void ZPyramid::CopyFinest(const Image<float>& z_m) {
     ParallelFor(z_m.Height(), 16, [&](std::int64_t begin, std::int64_t end) {
         for (int j = int(begin); j < int(end); ++j) {
             const float* from = &z_m(0, j);
-            float* to = &texels_[std::size_t(j) * levels_[0].pitch];
+            float* to = Row(0, j);
             int good = 0;
             for (int i = 0; i < width; ++i) {
                 const float z = from[i];
                 to[i] = z;
-                good += int((z >= kFarthest) & (z <= kNearest)) | int(z == kSky);
+                good += (int(z >= kFarthest) & int(z <= kNearest)) | int(z == kSky);
             }
             if (good != width) ThrowBadDepth(z_m, j);
+            std::fill(to + width, to + pitch_, kSky);
         }
     });
 }
@@ -71,11 +75,9 @@ void ZPyramid::Minify(ZFilter filter, int level) {
     const Level fine = At(level - 1), coarse = At(level);
     ParallelFor(coarse.height, 16, [&](std::int64_t begin, std::int64_t end) {
         for (int y = int(begin); y < int(end); ++y) {
-            const float* const rows[2] = {
-                &texels_[std::size_t(fine.offset + 2 * y * fine.pitch)],
-                &texels_[std::size_t(fine.offset +
-                                     std::min(2 * y + 1, fine.height - 1) * fine.pitch)]};
-            float* to = &texels_[std::size_t(coarse.offset + y * coarse.pitch)];
+            const float* const rows[2] = {Row(level - 1, 2 * y),
+                                          Row(level - 1, std::min(2 * y + 1, fine.height - 1))};
+            float* to = Row(level, y);
             for (int x = 0; x < coarse.width; ++x) {
                 to[x] = Minified<float>(filter, x, y, [&](int i, int j) {
                     return rows[j][std::min(2 * x + i, fine.width - 1)];

@@ -15,7 +15,7 @@
 //          compute the mean. OpenGL rounds sizes down, so that its last odd row and column are in
 //          no coarser level; the two agree for sizes that 2^levels divides.
 //          The sky is z = -inf: any sky makes a mean sky, and counts as 0 in the sum of 1 / z.
-// Cost     4/3 of a copy of the picture.
+// Cost     4/3 of a copy of the picture; 3/2 of its memory.
 #pragma once
 
 #include <algorithm>
@@ -63,7 +63,6 @@ class ZPyramid {
 
     struct Level {
         int width = 0, height = 0;
-        std::int32_t pitch = 0;   ///< Texels from one row to the next.
         std::int32_t offset = 0;  ///< Of its first texel in Data().
     };
 
@@ -75,18 +74,28 @@ class ZPyramid {
     const Level& At(int level) const { return levels_[std::size_t(level)]; }
 
     float operator()(int level, int i, int j) const {
-        const Level& l = At(level);
-        return texels_[std::size_t(l.offset + j * l.pitch + i)];
+        return Data()[At(level).offset + j * pitch_ + i];
     }
 
-    /// All levels in one piece: texel (i, j) of a level is at offset + j pitch + i.
-    const float* Data() const { return texels_.get(); }
+    /// All levels in one piece: texel (i, j) of a level is at offset + j Pitch() + i. The coarser
+    /// ones stand side by side below the finest: their offsets are Strip() - (2 Span() >> level).
+    const float* Data() const { return texels_.get() + kMargin; }
+    std::int32_t Pitch() const { return pitch_; }
+    std::int32_t Span() const { return span_; }
+    std::int32_t Strip() const { return levels_[0].height * pitch_ + span_; }
+
+    /// Data() may be read, if only to be thrown away, this far beyond both ends.
+    static constexpr std::int32_t kMargin = 64;
 
   private:
     void CopyFinest(const Image<float>& z_m);
     void Minify(ZFilter filter, int level);
+    float* Row(int level, int j) {
+        return texels_.get() + kMargin + At(level).offset + j * pitch_;
+    }
 
     int coarsest_ = 0;
+    std::int32_t pitch_ = 0, span_ = 0;
     std::array<Level, kMostLevels> levels_{};
     std::unique_ptr<float[]> texels_;
 };

@@ -68,7 +68,9 @@ TEST(ZPyramid, EveryPixelHasItsTexelInEveryLevel) {
         for (int level = 0; level <= 6; ++level) {
             EXPECT_GT(pyramid.At(level).width, (width - 1) >> level);
             EXPECT_GT(pyramid.At(level).height, (height - 1) >> level);
-            EXPECT_GE(pyramid.At(level).pitch, pyramid.At(level).width);
+            const std::int32_t last = pyramid.At(level).offset + pyramid.At(level).width - 1;
+            EXPECT_EQ(last / pyramid.Pitch(), pyramid.At(level).offset / pyramid.Pitch())
+                << "a level's row runs over the end of the pitch";
         }
         EXPECT_EQ(pyramid.At(6).width, std::max(1, (width + 63) / 64));
     }

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "screen_space/blur_rows.h"
 
 namespace plumb {
 namespace {
@@ -88,9 +89,7 @@ Image<float> BlurredAlong(BlurAxis axis, const Image<float>& A, const BlurGuide&
     if (options.taps_each_side == 0) return blurred;
     ParallelFor(where.Height(), 8, [&](std::int64_t begin, std::int64_t end) {
         for (int y = where.y0 + int(begin); y < where.y0 + int(end); ++y) {
-            for (int x = where.x0; x < where.x1; ++x) {
-                blurred(x, y) = float(BlurredPixel(axis, A, guide, options, x, y));
-            }
+            BlurRow(axis, A, guide, options, y, where.x0, where.x1, &blurred(0, y));
         }
     });
     return blurred;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "core/error.h"
 #include "core/random.h"
@@ -149,7 +150,8 @@ TEST(BilateralBlur, AConstantAfterOneAndBothAxes) {
                     1.01e-10);
         const Image<float> x = BlurredAlong(BlurAxis::kX, ones, guide, options, {0, 0, 64, 64});
         const Image<float> xy = BlurredAlong(BlurAxis::kY, x, guide, options, {0, 0, 64, 64});
-        EXPECT_NEAR(xy(32, 32), row.both, 1.3e-7);  // two roundings to float
+        // In float: two passes of 13 taps, each with a rounding of 6e-8.
+        EXPECT_NEAR(xy(32, 32), row.both, 2 * 13 * 6e-8);
     }
 }
 
@@ -275,6 +277,53 @@ TEST(BilateralBlur, NormalAndPlaneWeights) {
                 0.25 * g1 / (g0 + 0.25 * g1), 1e-6);
     options.near_m2 = 1e9;  // too near to tell
     EXPECT_NEAR(BlurredPixel(BlurAxis::kX, A, guide, options, 0, 0), g1 / (g0 + g1), 1e-6);
+}
+
+// The picture in float against the pixel in double. Tolerance: a weight of up to 1.3 carries the
+// rounding of 1 - e |key - key'|, 6e-8 each; the plane's weight that of points, 1e-6 of a distance
+// that is at least 0.03 m: 2 x 2 x 1e-6 / 0.03.
+TEST(BlurredAlong, IsTheReferenceForEveryOption) {
+    const int width = 77, height = 45;
+    const View view = MadeView(width, height);
+    const GBuffer g = MadeGBuffer(
+        view, Union(MadePlane({0.1, 1, 0.2}, -1), MadeSphere({0.4, -0.3, -4}, 0.5)));
+    const Image<float> A = Noise(width, height, 9);
+    BlurGuide guide{.key = Image<float>(width, height),
+                    .normal = &g.face_normal,
+                    .view = view,
+                    .z_min_m = -20};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            guide.key(x, y) = float(DepthKey(g.z_m(x, y), guide.z_min_m));
+        }
+    }
+    for (const auto& [R, stride, sharpness] :
+         {std::tuple{4, 2, 100.0}, {3, 3, 20.0}, {6, 1, 0.0}, {1, 64, 0.0}, {6, 7, 5.0}}) {
+        for (const int weights : {0, 1, 2, 3}) {
+            const BlurOptions options{.kernel = kBlurStddev3,
+                                      .taps_each_side = R,
+                                      .stride_px = stride,
+                                      .edge_sharpness = sharpness,
+                                      .normal_weight = (weights & 1) != 0,
+                                      .plane_weight = (weights & 2) != 0};
+            for (const BlurAxis axis : {BlurAxis::kX, BlurAxis::kY}) {
+                const PixelRect where{2, 4, width - 3, height};
+                const Image<float> blurred = BlurredAlong(axis, A, guide, options, where);
+                double change = 0;
+                for (int y = 0; y < height; ++y) {
+                    for (int x = 0; x < width; ++x) {
+                        const double expected =
+                            where.Contains(x, y) ? BlurredPixel(axis, A, guide, options, x, y)
+                                                 : A(x, y);
+                        ASSERT_NEAR(blurred(x, y), expected, weights < 2 ? 2e-6 : 2e-4)
+                            << R << " " << x << " " << y;
+                        change = std::max(change, std::abs(expected - A(x, y)));
+                    }
+                }
+                EXPECT_GT(change, R == 1 ? 0.0 : 0.1);
+            }
+        }
+    }
 }
 
 TEST(BlurOptions, BadValuesAreNamed) {

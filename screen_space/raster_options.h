@@ -25,7 +25,7 @@ enum class ZSource {
 
 struct RasterOptions {
     DepthFormat depth = DepthFormat::kD32FReversed;
-    DepthRange range;
+    DepthRange range = {};
     VertexPath vertices = VertexPath::kDouble;
     ZSource z = ZSource::kSurface;
     int guard_px = 0;                  ///< Border drawn on each side. [0, 16384]

@@ -7,6 +7,9 @@
 // All of it in 32 bits, the same bits with any instruction set: whole numbers, or float with
 // every product and sum rounded by itself, from the tile's corner.
 //
+// e is off the exact plane's by at most 2^-24 (3 e + 320 (|e_x| + |e_y|)): C, both products and both
+// sums round once each, of numbers up to e + 64 (|e_x| + |e_y|).
+//
 // Symbols  (i, j) a pixel from the tile's upper left.
 #pragma once
 

@@ -1,8 +1,11 @@
 // The rasterizer's pixels against primary rays of truth/, which shares nothing with it but core/.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "scenes/atrium.h"
 #include "scenes/dense.h"
@@ -15,68 +18,125 @@
 namespace plumb {
 namespace {
 
-struct Agreement {
-    int pixels = 0;  // That both see as a surface or both as the sky, and that may be judged.
-    int near_edge = 0;  // Differ, but within 1/256 pixel of an edge of one of the two.
-    int as_deep = 0;    // Differ, but both are met within float rounding of the ray caster.
-    int wrong = 0;
-    double worst_z = 0;  // Of |z - z_truth| / (1e-6 (1 + slope)), same triangle.
+// A triangle in the camera's frame, by the test's own arithmetic.
+struct Projected {
+    std::array<Vec3, 3> P;
+
+    Projected(const Scene& scene, const Camera& camera, std::uint32_t number) {
+        const CameraFrame frame(camera);
+        const Triangle triangle = TriangleOf(scene.mesh, number);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 v = triangle.corners_m[k] - camera.position_m;
+            P[k] = {v.dot(frame.right), v.dot(frame.up), v.dot(frame.backward)};
+        }
+    }
+
+    Vec3 Normal() const { return (P[1] - P[0]).cross(P[2] - P[0]); }
+
+    // Where the ray w meets the plane: t w.
+    double T(const Vec3& w) const { return Normal().dot(P[0]) / Normal().dot(w); }
+
+    // Distance in pixels from the nearest edge, each cut off at the near plane.
+    double FromEdge(const View& view, const Vec2& c, double near_m) const {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < 3; ++k) {
+            Vec3 p = P[k], q = P[(k + 1) % 3];
+            if (p.z() > q.z()) std::swap(p, q);  // p is the farther one.
+            if (p.z() > -near_m) continue;
+            if (q.z() > -near_m) q = p + (-near_m - p.z()) / (q.z() - p.z()) * (q - p);
+            const Vec2 a = view.Project(p), ab = view.Project(q) - a;
+            const double along =
+                std::clamp((c - a).dot(ab) / std::max(ab.squaredNorm(), 1e-300), 0.0, 1.0);
+            nearest = std::min(nearest, (c - a - along * ab).norm());
+        }
+        return nearest;
+    }
 };
 
-// Distance in pixels of the centre of (i, j) from the nearest edge of the projected triangle;
-// infinite for no triangle, 0 for one that reaches behind the camera.
-double FromEdge(const Scene& scene, const Camera& camera, const View& view,
-                std::uint32_t number, int i, int j) {
-    if (number == GBuffer::kSky) return std::numeric_limits<double>::infinity();
-    const CameraFrame frame(camera);
-    std::array<Vec2, 3> p;
-    const Triangle triangle = TriangleOf(scene.mesh, number);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 v = triangle.corners_m[k] - camera.position_m;
-        const Vec3 P(v.dot(frame.right), v.dot(frame.up), v.dot(frame.backward));
-        if (P.z() > -0.01) return 0;
-        p[k] = view.Project(P);
+struct Agreement {
+    int pixels = 0, same = 0;  // All; those that show the same surface, off its edges.
+    int near_edge = 0;         // Differ, but within 1/256 pixel of an edge of one of the two.
+    int as_deep = 0;           // Differ, but the format cannot tell which is nearer.
+    int wrong = 0;
+    int z_off = 0;  // z_m is not the exact plane's, rounded to float.
+    int stored_off =
+        0;  // The stored depth is off by more than screen_space/draw_in_tile.h states.
+};
+
+// Two surfaces may be told from each other if their e differ by more than this.
+double FormatStep(DepthFormat format) {
+    return format == DepthFormat::kD16    ? 1.0 / 65535
+           : format == DepthFormat::kD24  ? 2.0 / 16777215
+           : format == DepthFormat::kD32F ? 0x1p-24
+                                          : 0;
+}
+
+// By what e may be off: the tile's float plane, and the format.
+double DepthBound(const DepthCurve& curve, DepthFormat format, const Projected& triangle,
+                  const View& view, double e) {
+    const Vec3 n = triangle.Normal();
+    const double scale = curve.a / std::abs(n.dot(triangle.P[0]));
+    const double slope = scale * (std::abs(n.x()) * 2 * view.tan_half_width / view.width_px +
+                                  std::abs(n.y()) * 2 * view.tan_half_height / view.height_px);
+    const double plane = 0x1p-24 * (3 * e + 320 * slope);
+    switch (format) {
+        case DepthFormat::kD16:
+            return plane + 0.51 / 65535;
+        case DepthFormat::kD24:
+            return plane + 1.01 / 16777215;  // The product with 2^24 - 1 is rounded too.
+        case DepthFormat::kD32F:
+            return plane + 0x1p-25;
+        case DepthFormat::kD32FReversed:
+            break;
     }
-    double nearest = std::numeric_limits<double>::infinity();
-    const Vec2 c(i + 0.5, j + 0.5);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec2 a = p[k], ab = p[(k + 1) % 3] - a;
-        const double along = std::clamp((c - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
-        nearest = std::min(nearest, (c - a - along * ab).norm());
-    }
-    return nearest;
+    return plane;
 }
 
 Agreement Compare(const Scene& scene, const Camera& camera, const RasterOptions& options = {}) {
     const EmbreeCaster caster(scene.mesh);
     const PixelGeometry truth = LookThrough(caster, scene, camera);
     const GBuffer drawn = DrawGBuffer(scene, camera, options);
+    const DepthCurve curve(options.range);
+    const double near_m = options.range.near_m;
     Agreement out;
     for (int j = 0; j < camera.height_px; ++j) {
         for (int i = 0; i < camera.width_px; ++i) {
             const std::uint32_t a = truth.triangle(i, j), b = drawn.triangle(i, j);
-            const double z_truth = -double(truth.depth_m(i, j)), z = drawn.z_m(i, j);
+            const Vec2 centre(i + 0.5, j + 0.5);
             ++out.pixels;
-            if (a == b) {
-                if (a == GBuffer::kSky) continue;
-                const Vec3 n = drawn.face_normal(i, j).cast<double>();
-                const Vec3 w = drawn.view.Point(i + 0.5, j + 0.5, -1);
-                // The caster's float ray and barycentrics are off by some 1e-7 of the distance
-                // sideways: seen at a slant that is more depth.
-                const double slant = w.norm() / std::abs(n.dot(w));
-                out.worst_z =
-                    std::max(out.worst_z, std::abs(z - z_truth) / (1e-6 * -z_truth * slant));
+            double edge = std::numeric_limits<double>::infinity();
+            for (const std::uint32_t number : {a, b}) {
+                if (number == GBuffer::kSky) continue;
+                edge = std::min(
+                    edge,
+                    Projected(scene, camera, number).FromEdge(drawn.view, centre, near_m));
+            }
+            if (a != b) {
+                const double t_truth = truth.depth_m(i, j), t = -double(drawn.z_m(i, j));
+                if (edge <= 1.0 / 256) {
+                    ++out.near_edge;
+                } else if (std::abs(t - t_truth) <=
+                           1e-6 * t_truth + FormatStep(options.depth) * t * t / curve.a) {
+                    ++out.as_deep;
+                } else {
+                    ++out.wrong;
+                }
                 continue;
             }
-            const double edge = std::min(FromEdge(scene, camera, drawn.view, a, i, j),
-                                         FromEdge(scene, camera, drawn.view, b, i, j));
-            if (edge <= 1.0 / 256) {
-                ++out.near_edge;
-            } else if (std::abs(z - z_truth) <= 1e-5 * -z_truth) {
-                ++out.as_deep;
-            } else {
-                ++out.wrong;
-            }
+            if (a == GBuffer::kSky || edge <= 1.0 / 256) continue;
+            ++out.same;
+            const Projected triangle(scene, camera, a);
+            const Vec3 w = drawn.view.Point(centre.x(), centre.y(), -1);
+            const double t = triangle.T(w), e = curve.E(t);
+            // 1e-13: double, seen at a slant.
+            const double slant =
+                triangle.Normal().norm() * w.norm() / std::abs(triangle.Normal().dot(w));
+            out.z_off += !(std::abs(drawn.z_m(i, j) + t) <= t * (0x1p-24 + 1e-13 * slant));
+            const double d = DecodeDepth(options.depth, drawn.depth(i, j));
+            const double stored = options.depth == DepthFormat::kD32FReversed ? d : 1 - d;
+            out.stored_off +=
+                !(std::abs(stored - e) <=
+                  DepthBound(curve, options.depth, triangle, drawn.view, e) + 1e-14 * slant);
         }
     }
     return out;
@@ -89,15 +149,60 @@ Camera Sized(Camera camera, int width, int height) {
 }
 
 // Expected: the same triangle wherever the centre is more than 1/256 pixel from an edge (vertices
-// move by at most 1/512 pixel in x and in y).
+// move by at most 1/512 pixel in x and in y), the exact plane's depth there.
+void ExpectAgreement(const Scene& scene, const Camera& camera,
+                     const RasterOptions& options = {}) {
+    const Agreement a = Compare(scene, camera, options);
+    const std::string name =
+        scene.name + " " + camera.name + " " + std::string(NameOf(options.depth));
+    EXPECT_EQ(a.wrong, 0) << name;
+    EXPECT_LE(a.as_deep, options.depth == DepthFormat::kD32FReversed ? 0 : a.pixels / 1000)
+        << name;
+    EXPECT_LT(a.near_edge, a.pixels / 100) << name;
+    EXPECT_GT(a.same, a.pixels / 3) << name;
+    EXPECT_EQ(a.z_off, 0) << name;
+    EXPECT_EQ(a.stored_off, 0) << name;
+}
+
 TEST(RasterAgainstTruth, SeesTheSameTriangles) {
     for (const Scene& scene :
          {CornellBox(), BoxOnPlane(), BallOverPlane(), TrenchScene(), Fence(), Atrium(0.5)}) {
         for (const Camera& camera : scene.cameras) {
-            const Agreement a = Compare(scene, Sized(camera, 480, 270));
-            EXPECT_EQ(a.wrong, 0) << scene.name << " " << camera.name;
-            EXPECT_EQ(a.as_deep, 0) << scene.name << " " << camera.name;
-            EXPECT_LT(a.near_edge, a.pixels / 100) << scene.name << " " << camera.name;
+            ExpectAgreement(scene, Sized(camera, 480, 270));
+        }
+    }
+}
+
+TEST(RasterAgainstTruth, StoresEveryFormatWithinItsRounding) {
+    const Scene scene = BoxOnPlane();
+    for (const DepthFormat format : {DepthFormat::kD16, DepthFormat::kD24, DepthFormat::kD32F,
+                                     DepthFormat::kD32FReversed}) {
+        for (const double far_m : {100.0, std::numeric_limits<double>::infinity()}) {
+            RasterOptions options;
+            options.depth = format;
+            options.range = {0.1, far_m};
+            ExpectAgreement(scene, Sized(scene.cameras[0], 300, 200), options);
+        }
+    }
+}
+
+// Floor, walls and ceiling of a hall in a few large triangles, from inside and near the floor:
+// every surface reaches behind the camera and far beyond the picture.
+TEST(RasterAgainstTruth, CutsWhatReachesBehindTheCamera) {
+    Scene hall = BoxOnPlane();
+    hall.mesh.vertices_m = {{-3, -500, 0}, {3, -500, 0}, {3, 900, 0}, {-3, 900, 0},
+                            {-3, -500, 4}, {3, -500, 4}, {3, 900, 4}, {-3, 900, 4}};
+    hall.mesh.quads = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 3, 7, 4}, {1, 5, 6, 2}, {3, 2, 6, 7}};
+    hall.material_of_face.assign(hall.mesh.quads.size(), 0);
+    hall.name = "hall";
+    for (const double height : {0.012, 1.7, 3.9}) {
+        for (const double turn : {0.0, 0.9, 2.5}) {
+            const Vec3 eye(0.4, 1, height);
+            ExpectAgreement(hall, {.position_m = eye,
+                                   .target_m = eye + Vec3(std::sin(turn), std::cos(turn), -0.1),
+                                   .fov_rad = 1.4,
+                                   .width_px = 320,
+                                   .height_px = 200});
         }
     }
 }

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/parallel.h"
 #include "screen_space/obscurance_tile.h"
 
 namespace plumb {
@@ -70,18 +69,7 @@ Image<float> SampleObscurance(const GBuffer& gbuffer, const ZPyramid& pyramid,
                               const ObscuranceOptions& options, const PixelRect& where) {
     Image<float> A(gbuffer.z_m.Width(), gbuffer.z_m.Height(), 1.0f);
     const ObscuranceTask task(gbuffer, pyramid, options);
-    // Tiles, so that the coarse texels that one row's taps met are still cached for the next row's.
-    const int wide = 128, high = 32;
-    const std::int64_t columns = (where.Width() + wide - 1) / wide;
-    const std::int64_t rows = (where.Height() + high - 1) / high;
-    ParallelFor(columns * rows, 1, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t tile = begin; tile < end; ++tile) {
-            const int x = where.x0 + int(tile % columns) * wide;
-            const int y = where.y0 + int(tile / columns) * high;
-            ObscureTile(task,
-                        {x, y, std::min(x + wide, where.x1), std::min(y + high, where.y1)}, A);
-        }
-    });
+    ForEachTile(where, [&](const PixelRect& tile) { ObscureTile(task, tile, A); });
     return A;
 }
 

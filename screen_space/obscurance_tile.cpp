@@ -34,9 +34,9 @@ struct Turn {
 // either way, which is off by at most (pi/2)^13 / 13! = 6e-8.
 inline F SineOfQuarter(F t) {
     const F x = hn::Mul(t, Set(float(2 * kPi))), x2 = hn::Mul(x, x);
-    F sum = Set(1);
-    for (const float divisor : {110.0f, 72.0f, 42.0f, 20.0f, 6.0f}) {
-        sum = hn::Sub(Set(1), hn::Mul(hn::Mul(x2, Set(1 / divisor)), sum));
+    F sum = Set(-1.0f / 39916800);
+    for (const float factor : {1.0f / 362880, -1.0f / 5040, 1.0f / 120, -1.0f / 6, 1.0f}) {
+        sum = hn::Add(Set(factor), hn::Mul(x2, sum));
     }
     return hn::Mul(x, sum);
 }

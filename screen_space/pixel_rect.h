@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 
 #include "screen_space/view.h"
 
@@ -27,5 +28,9 @@ inline PixelRect ShownAndMargin(const View& view, int margin_px) {
     return {low, low, std::min(view.DrawnWidth(), (view.width_px + more + 1) / 2 * 2),
             std::min(view.DrawnHeight(), (view.height_px + more + 1) / 2 * 2)};
 }
+
+/// `each(tile)` for the tiles of `where`, on all cores. They are small enough to stay in the cache,
+/// and start at even pixels from its corner.
+void ForEachTile(const PixelRect& where, const std::function<void(const PixelRect&)>& each);
 
 }  // namespace plumb

@@ -1,9 +1,8 @@
 #include "screen_space/quad_filter.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
-
-#include "core/parallel.h"
 
 namespace plumb {
 namespace {
@@ -18,28 +17,31 @@ inline void Filter(float& A0, float& A1, float z0, float z1, float threshold) {
 
 }  // namespace
 
-Image<float> QuadFiltered(Image<float> A, const Image<float>& z_m, double threshold_m,
-                          const PixelRect& where) {
+void FilterQuads(Image<float>& A, const Image<float>& z_m, double threshold_m,
+                 const PixelRect& where) {
     assert(where.x0 % 2 == 0 && where.y0 % 2 == 0);
     const float threshold = float(threshold_m);
-    ParallelFor((where.Height() + 1) / 2, 8, [&](std::int64_t begin, std::int64_t end) {
-        for (int y = where.y0 + 2 * int(begin); y < where.y0 + 2 * int(end); y += 2) {
-            const int rows = std::min(2, where.y1 - y);
-            for (int j = y; j < y + rows; ++j) {
-                float* row = &A(0, j);
-                const float* z = &z_m(0, j);
-                for (int x = where.x0; x + 1 < where.x1; x += 2) {
-                    Filter(row[x], row[x + 1], z[x], z[x + 1], threshold);
-                }
-            }
-            if (rows < 2) continue;
-            float *upper = &A(0, y), *lower = &A(0, y + 1);
-            const float *z_upper = &z_m(0, y), *z_lower = &z_m(0, y + 1);
-            for (int x = where.x0; x < where.x1; ++x) {
-                Filter(upper[x], lower[x], z_upper[x], z_lower[x], threshold);
+    for (int y = where.y0; y < where.y1; y += 2) {
+        const int rows = std::min(2, where.y1 - y);
+        for (int j = y; j < y + rows; ++j) {
+            float* row = &A(0, j);
+            const float* z = &z_m(0, j);
+            for (int x = where.x0; x + 1 < where.x1; x += 2) {
+                Filter(row[x], row[x + 1], z[x], z[x + 1], threshold);
             }
         }
-    });
+        if (rows < 2) continue;
+        float *upper = &A(0, y), *lower = &A(0, y + 1);
+        const float *z_upper = &z_m(0, y), *z_lower = &z_m(0, y + 1);
+        for (int x = where.x0; x < where.x1; ++x) {
+            Filter(upper[x], lower[x], z_upper[x], z_lower[x], threshold);
+        }
+    }
+}
+
+Image<float> QuadFiltered(Image<float> A, const Image<float>& z_m, double threshold_m,
+                          const PixelRect& where) {
+    ForEachTile(where, [&](const PixelRect& tile) { FilterQuads(A, z_m, threshold_m, tile); });
     return A;
 }
 

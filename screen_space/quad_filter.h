@@ -21,6 +21,10 @@ namespace plumb {
 
 inline constexpr double kQuadThresholdM = 0.02;  ///< As shipped.
 
+/// Filters A in place within `where`, on the caller's own thread.
+void FilterQuads(Image<float>& A, const Image<float>& z_m, double threshold_m,
+                 const PixelRect& where);
+
 /// A filtered within `where`, whose corners are those of quads or of the picture.
 Image<float> QuadFiltered(Image<float> A, const Image<float>& z_m, double threshold_m,
                           const PixelRect& where);

@@ -6,6 +6,8 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "screen_space/blur_rows.h"
+#include "screen_space/obscurance_tile.h"
 #include "screen_space/pack_ao_z.h"
 
 namespace plumb {
@@ -50,27 +52,72 @@ void CheckInput(const GBuffer& gbuffer, const SaoOptions& options) {
     }
 }
 
-/// A texture of 8 bits keeps of A.
-void KeepBytesOf(Image<float>& A, const PixelRect& where) {
-    ParallelFor(where.Height(), 16, [&](std::int64_t begin, std::int64_t end) {
-        for (int y = where.y0 + int(begin); y < where.y0 + int(end); ++y) {
-            float* row = &A(0, y);
-            for (int x = where.x0; x < where.x1; ++x) row[x] = float(ToByte(row[x])) / 255;
+/// What the filters' texture holds of the A and the key of a tile.
+void PackTile(const GBuffer& gbuffer, const SaoOptions& options, const PixelRect& tile,
+              Image<float>& A, Image<float>& key) {
+    const float per_z = float(1 / options.z_min_m);
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        const float* z = &gbuffer.z_m(0, y);
+        float *k = &key(0, y), *a = &A(0, y);
+        for (int x = tile.x0; x < tile.x1; ++x) k[x] = std::min(z[x] * per_z, 1.0f);
+        if (!options.pack_rgb8) continue;
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            const PackedAoZ packed = PackAoZ(a[x], k[x]);
+            a[x] = UnpackA<float>(packed);
+            k[x] = UnpackKey<float>(packed);
         }
-    });
+    }
 }
 
-/// A packed key does not tell the sky from what is far, so a filter mixes them.
-void OpenTheSky(Image<float>& A, const Image<float>& z_m, const PixelRect& where) {
-    ParallelFor(where.Height(), 16, [&](std::int64_t begin, std::int64_t end) {
+/// One filter within `where`, from A to `to`.
+void Blur(BlurAxis axis, const GBuffer& gbuffer, const SaoOptions& options,
+          const BlurGuide& guide, const Image<float>& A, Image<float>& to) {
+    const PixelRect where = ComputedRect(guide.view, options);
+    const bool keep_bytes = axis == BlurAxis::kX && options.pack_rgb8;
+    ParallelFor(where.Height(), 8, [&](std::int64_t begin, std::int64_t end) {
         for (int y = where.y0 + int(begin); y < where.y0 + int(end); ++y) {
-            float* row = &A(0, y);
-            const float* z = &z_m(0, y);
+            float* row = &to(0, y);
+            BlurRow(axis, A, guide, options.blur, y, where.x0, where.x1, row);
+            const float* z = &gbuffer.z_m(0, y);
             for (int x = where.x0; x < where.x1; ++x) {
+                if (keep_bytes) row[x] = float(ToByte(row[x])) / 255;
+                // A packed key does not tell the sky from what is far, so a filter mixes them.
                 row[x] = z[x] == GBuffer::kSkyZ ? 1.0f : row[x];
             }
         }
     });
+}
+
+BlurGuide GuideOf(const GBuffer& gbuffer, const SaoOptions& options, Image<float> key) {
+    return {.key = std::move(key),
+            .normal = NeedsSurfaces(options) ? &NormalImage(gbuffer, options) : nullptr,
+            .view = gbuffer.view,
+            .z_min_m = options.z_min_m};
+}
+
+bool IsOn(BlurAxis axis, const SaoOptions& options) {
+    return options.blur.taps_each_side > 0 &&
+           (axis == BlurAxis::kX ? options.blur_x : options.blur_y);
+}
+
+/// A picture of the drawn size: the one given, if it is.
+void Resize(Image<float>& image, const View& view, float value) {
+    if (image.Width() != view.DrawnWidth() || image.Height() != view.DrawnHeight()) {
+        image = Image<float>(view.DrawnWidth(), view.DrawnHeight(), value);
+    }
+}
+
+/// `value` outside of `where`.
+void FillOutside(Image<float>& image, const PixelRect& where, float value) {
+    for (int y = 0; y < image.Height(); ++y) {
+        float *row = &image(0, y), *end = row + image.Width();
+        if (y < where.y0 || y >= where.y1) {
+            std::fill(row, end, value);
+        } else {
+            std::fill(row, row + where.x0, value);
+            std::fill(row + where.x1, end, value);
+        }
+    }
 }
 
 }  // namespace
@@ -121,35 +168,17 @@ Image<float> QuadPass(const GBuffer& gbuffer, const SaoOptions& options, Image<f
 }
 
 PackedPass PackPass(const GBuffer& gbuffer, const SaoOptions& options, Image<float> A) {
-    PackedPass packed{.A = std::move(A),
-                      .guide = {.key = Image<float>(gbuffer.z_m.Width(), gbuffer.z_m.Height()),
-                                .normal = nullptr,
-                                .view = gbuffer.view,
-                                .z_min_m = options.z_min_m}};
-    if (NeedsSurfaces(options)) packed.guide.normal = &NormalImage(gbuffer, options);
-    const PixelRect where = ComputedRect(gbuffer.view, options);
-    if (options.pack_rgb8) KeepBytesOf(packed.A, where);
-    const float per_z = float(1 / options.z_min_m);
-    ParallelFor(where.Height(), 16, [&](std::int64_t begin, std::int64_t end) {
-        for (int y = where.y0 + int(begin); y < where.y0 + int(end); ++y) {
-            const float* z = &gbuffer.z_m(0, y);
-            float* key = &packed.guide.key(0, y);
-            for (int x = where.x0; x < where.x1; ++x) {
-                key[x] = std::min(z[x] * per_z, 1.0f);
-                if (options.pack_rgb8) key[x] = UnpackKey<float>(PackAoZ(0.0f, key[x]));
-            }
-        }
-    });
-    return packed;
+    Image<float> key(gbuffer.z_m.Width(), gbuffer.z_m.Height());
+    ForEachTile(ComputedRect(gbuffer.view, options),
+                [&](const PixelRect& tile) { PackTile(gbuffer, options, tile, A, key); });
+    return {.A = std::move(A), .guide = GuideOf(gbuffer, options, std::move(key))};
 }
 
 Image<float> BlurPass(BlurAxis axis, const GBuffer& gbuffer, const SaoOptions& options,
                       const BlurGuide& guide, Image<float> A) {
-    if (!(axis == BlurAxis::kX ? options.blur_x : options.blur_y)) return A;
-    const PixelRect where = ComputedRect(guide.view, options);
-    Image<float> blurred = BlurredAlong(axis, A, guide, options.blur, where);
-    if (axis == BlurAxis::kX && options.pack_rgb8) KeepBytesOf(blurred, where);
-    OpenTheSky(blurred, gbuffer.z_m, where);
+    if (!IsOn(axis, options)) return A;
+    Image<float> blurred = A;
+    Blur(axis, gbuffer, options, guide, A, blurred);
     return blurred;
 }
 
@@ -165,13 +194,40 @@ SaoPasses RunSao(const GBuffer& gbuffer, const SaoOptions& options) {
     return passes;
 }
 
+const Image<float>& SaoObscurance(const GBuffer& gbuffer, const SaoOptions& options,
+                                  SaoScratch& scratch) {
+    CheckInput(gbuffer, options);
+    const TapOptions& taps = options.sampling.taps;
+    scratch.pyramid.Build(gbuffer.z_m, taps.filter, taps.coarsest_level);
+    const PixelRect where = ComputedRect(gbuffer.view, options);
+    for (Image<float>* image : {&scratch.A, &scratch.key, &scratch.blurred}) {
+        Resize(*image, gbuffer.view, 1);
+    }
+    FillOutside(scratch.A, where, 1);
+    FillOutside(scratch.blurred, where, 1);
+    FillOutside(scratch.key, where, 0);
+    const ObscuranceTask task(gbuffer, scratch.pyramid, options.sampling);
+    ForEachTile(where, [&](const PixelRect& tile) {
+        ObscureTile(task, tile, scratch.A);
+        if (options.quad_filter) {
+            FilterQuads(scratch.A, gbuffer.z_m, options.quad_threshold_m, tile);
+        }
+        PackTile(gbuffer, options, tile, scratch.A, scratch.key);
+    });
+    BlurGuide guide = GuideOf(gbuffer, options, std::move(scratch.key));
+    for (const BlurAxis axis : {BlurAxis::kX, BlurAxis::kY}) {
+        if (!IsOn(axis, options)) continue;
+        Blur(axis, gbuffer, options, guide, scratch.A, scratch.blurred);
+        std::swap(scratch.A, scratch.blurred);
+    }
+    scratch.key = std::move(guide.key);
+    return scratch.A;
+}
+
 Image<float> SaoObscurance(const GBuffer& gbuffer, const SaoOptions& options) {
-    const ZPyramid pyramid = BuildZPyramid(gbuffer, options);
-    PackedPass packed = PackPass(
-        gbuffer, options, QuadPass(gbuffer, options, SamplePass(gbuffer, pyramid, options)));
-    Image<float> A =
-        BlurPass(BlurAxis::kX, gbuffer, options, packed.guide, std::move(packed.A));
-    return BlurPass(BlurAxis::kY, gbuffer, options, packed.guide, std::move(A));
+    SaoScratch scratch;
+    SaoObscurance(gbuffer, options, scratch);
+    return std::move(scratch.A);
 }
 
 }  // namespace plumb

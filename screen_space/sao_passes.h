@@ -45,7 +45,16 @@ struct SaoPasses {
 /// Throws Error where options or the depth are bad, or the images are not of the view's size.
 SaoPasses RunSao(const GBuffer& gbuffer, const SaoOptions& options);
 
-/// The last pass only: the same bits, in less time and memory.
+/// Memory that SaoObscurance uses again, picture after picture.
+struct SaoScratch {
+    ZPyramid pyramid;
+    Image<float> A, key, blurred;
+};
+
+/// The last pass only: the same bits as RunSao's, in less time and memory. The picture is one of the
+/// scratch's, until its next use.
+const Image<float>& SaoObscurance(const GBuffer& gbuffer, const SaoOptions& options,
+                                  SaoScratch& scratch);
 Image<float> SaoObscurance(const GBuffer& gbuffer, const SaoOptions& options);
 
 // The passes one by one, for whoever wants to time them.

@@ -28,9 +28,9 @@ constexpr float kFarthest = -1e18f, kNearest = -1e-18f;  // their squares are fi
 
 }  // namespace
 
-ZPyramid::ZPyramid(const Image<float>& z_m, ZFilter filter, int coarsest)
-    : coarsest_(coarsest) {
+void ZPyramid::Build(const Image<float>& z_m, ZFilter filter, int coarsest) {
     assert(!z_m.Empty() && 0 <= coarsest && coarsest < kMostLevels);
+    coarsest_ = coarsest;
     int width = z_m.Width(), height = z_m.Height();
     const int lanes = 16;  // of the widest vectors
     const int whole = std::max(1 << coarsest, lanes);
@@ -46,7 +46,10 @@ ZPyramid::ZPyramid(const Image<float>& z_m, ZFilter filter, int coarsest)
         height = (height + 1) / 2;
     }
     const std::size_t texels = std::size_t(rows) * std::size_t(pitch_);
-    texels_ = std::make_unique_for_overwrite<float[]>(texels + 2 * kMargin);
+    if (capacity_ < texels) {
+        texels_ = std::make_unique_for_overwrite<float[]>(texels + 2 * kMargin);
+        capacity_ = texels;
+    }
     std::fill_n(texels_.get(), kMargin, kSky);
     std::fill_n(texels_.get() + kMargin + texels, kMargin, kSky);
     CopyFinest(z_m);

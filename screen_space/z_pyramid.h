@@ -68,7 +68,13 @@ class ZPyramid {
 
     /// Levels 0 to `coarsest`, which is in [0, kMostLevels). Throws Error where z is not in
     /// [-1e18, -1e-18] m and not the sky, naming the pixel: NaN, 0 and what lies behind the eye.
-    ZPyramid(const Image<float>& z_m, ZFilter filter, int coarsest);
+    ZPyramid(const Image<float>& z_m, ZFilter filter, int coarsest) {
+        Build(z_m, filter, coarsest);
+    }
+    ZPyramid() = default;
+
+    /// Anew, in the memory there is if it is enough.
+    void Build(const Image<float>& z_m, ZFilter filter, int coarsest);
 
     int Coarsest() const { return coarsest_; }
     const Level& At(int level) const { return levels_[std::size_t(level)]; }
@@ -97,6 +103,7 @@ class ZPyramid {
     int coarsest_ = 0;
     std::int32_t pitch_ = 0, span_ = 0;
     std::array<Level, kMostLevels> levels_{};
+    std::size_t capacity_ = 0;
     std::unique_ptr<float[]> texels_;
 };
 

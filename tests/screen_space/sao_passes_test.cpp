@@ -74,6 +74,20 @@ TEST_F(Sao, EveryPassIsSoundAndDarkensACorner) {
     }
 }
 
+// Memory of another picture, of another size or of other options, leaves no trace.
+TEST_F(Sao, ScratchLeavesNoTrace) {
+    SaoScratch scratch;
+    for (const View& view :
+         {MadeView(96, 64, 0.5, 16), MadeView(50, 70), MadeView(50, 70, 0.7)}) {
+        const GBuffer g = MadeGBuffer(view, Corner());
+        for (const SaoPreset& preset : EveryFalloff()) {
+            EXPECT_EQ(SaoObscurance(g, preset.options, scratch),
+                      RunSao(g, preset.options).blur_y)
+                << preset.name;
+        }
+    }
+}
+
 // All points of a plane lie in its tangent plane: v.n is 0 but for the rounding of z, some 1e-6 m,
 // far under the bias. Facing the eye, z is one number and that holds through every pyramid too.
 TEST_F(Sao, AFlatPlaneIsOpenExactly) {

@@ -67,9 +67,10 @@ double GtaoOfPixel(const GBuffer& gbuffer, const GtaoOptions& options, int x, in
 
 Image<float> Gtao(const GBuffer& gbuffer, const GtaoOptions& options) {
     Validate(options);
-    return EveryPixel(gbuffer, options.sampling, [&](SliceMarch& march, int x, int y) {
-        return Visibility(march, options, x, y);
-    });
+    return EveryRow(gbuffer, options.sampling,
+                    [&](const SliceTask& task, int first, int last, Image<float>& A) {
+                        GtaoRows(task, options, first, last, A);
+                    });
 }
 
 }  // namespace plumb

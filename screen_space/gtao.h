@@ -41,10 +41,10 @@ struct GtaoOptions {
 /// Throws Error, naming the first field that breaks its range above.
 void Validate(const GtaoOptions& options);
 
-/// A of one pixel. In [0, pi/2]; in [0, 1] if normalized.
+/// A of one pixel, in double: the reference. In [0, pi/2]; in [0, 1] if normalized.
 double GtaoOfPixel(const GBuffer& gbuffer, const GtaoOptions& options, int x, int y);
 
-/// A of the drawn size.
+/// A of the drawn size, in float and with SIMD.
 Image<float> Gtao(const GBuffer& gbuffer, const GtaoOptions& options = {});
 
 }  // namespace plumb

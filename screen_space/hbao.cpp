@@ -60,9 +60,10 @@ double HbaoOfPixel(const GBuffer& gbuffer, const HbaoOptions& options, int x, in
 
 Image<float> Hbao(const GBuffer& gbuffer, const HbaoOptions& options) {
     Validate(options);
-    return EveryPixel(gbuffer, options.sampling, [&](SliceMarch& march, int x, int y) {
-        return Visibility(march, options, x, y);
-    });
+    return EveryRow(gbuffer, options.sampling,
+                    [&](const SliceTask& task, int first, int last, Image<float>& A) {
+                        HbaoRows(task, options, first, last, A);
+                    });
 }
 
 }  // namespace plumb

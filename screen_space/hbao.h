@@ -38,10 +38,10 @@ struct HbaoOptions {
 /// Throws Error, naming the first field that breaks its range above.
 void Validate(const HbaoOptions& options);
 
-/// A of one pixel. In [0, 1].
+/// A of one pixel, in double: the reference. In [0, 1].
 double HbaoOfPixel(const GBuffer& gbuffer, const HbaoOptions& options, int x, int y);
 
-/// A of the drawn size.
+/// A of the drawn size, in float and with SIMD.
 Image<float> Hbao(const GBuffer& gbuffer, const HbaoOptions& options = {});
 
 }  // namespace plumb

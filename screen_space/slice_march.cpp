@@ -42,12 +42,7 @@ bool SliceMarch::Receive(int x, int y) {
     C_ = PointAt(x, y, z);
     i_ = x;
     j_ = y;
-    if (sampling_->jitter) {
-        const std::uint64_t pixel = std::uint64_t(y) * width_ + x;
-        const std::uint64_t bits = RandomBits(sampling_->seed, pixel, 0, 0);
-        turn_ = double(bits >> 32) * 0x1p-32;
-        shift_ = double(bits & 0xffffffffu) * 0x1p-32;
-    }
+    jitter_ = JitterOf(*sampling_, x, y, width_);
     return true;
 }
 

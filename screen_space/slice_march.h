@@ -60,6 +60,17 @@ struct SliceSampling {
 /// Throws Error, naming the first field that breaks its range; `owner` is the struct's name.
 void Validate(const SliceSampling& sampling, const char* owner);
 
+/// xi_1 and xi_2 of a pixel of a picture `width` pixels wide.
+struct SliceJitter {
+    double turn = 0.5, shift = 0.5;
+};
+
+inline SliceJitter JitterOf(const SliceSampling& sampling, int x, int y, int width) {
+    if (!sampling.jitter) return {};
+    const std::uint64_t bits = RandomBits(sampling.seed, std::uint64_t(y) * width + x, 0, 0);
+    return {double(bits >> 32) * 0x1p-32, double(bits & 0xffffffffu) * 0x1p-32};
+}
+
 /// One slice through a receiver.
 struct Slice {
     Vec3 V, t;
@@ -84,7 +95,7 @@ class SliceMarch {
 
     /// Angle of slice k of `count` over `span`: pi, or 2 pi for directions of one side.
     double Phi(int k, int count, double span_rad) const {
-        return span_rad * (k + turn_) / count;
+        return span_rad * (k + jitter_.turn) / count;
     }
 
     /// visit(x, y, d2) for every sample of one side, outwards: v' = x t + y V with x > 0 for
@@ -98,7 +109,7 @@ class SliceMarch {
         const Vec2 unit = reach / r_px;
         int last_i = i_, last_j = j_;
         for (int step = 0; step < sampling_->steps; ++step) {
-            const double share = (step + shift_) / sampling_->steps;
+            const double share = (step + jitter_.shift) / sampling_->steps;
             const double offset = 1 + (r_px - 1) * Power(share);
             const double at_i = std::floor(i_ + 0.5 + offset * unit.x());
             const double at_j = std::floor(j_ + 0.5 + offset * unit.y());
@@ -132,7 +143,7 @@ class SliceMarch {
 
     int i_ = 0, j_ = 0;
     Vec3 C_, n_;
-    double turn_ = 0.5, shift_ = 0.5;
+    SliceJitter jitter_;
 };
 
 }  // namespace plumb

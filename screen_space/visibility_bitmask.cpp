@@ -100,6 +100,12 @@ double VisibilityBitmaskOfPixel(const GBuffer& gbuffer, const BitmaskOptions& op
 
 Image<float> VisibilityBitmask(const GBuffer& gbuffer, const BitmaskOptions& options) {
     Validate(options);
+    if (options.sectors <= kSectorsOfRows) {
+        return EveryRow(gbuffer, options.sampling,
+                        [&](const SliceTask& task, int first, int last, Image<float>& A) {
+                            BitmaskRows(task, options, first, last, A);
+                        });
+    }
     return EveryPixel(gbuffer, options.sampling, [&](SliceMarch& march, int x, int y) {
         return Visibility(march, options, x, y);
     });

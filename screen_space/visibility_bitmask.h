@@ -61,11 +61,11 @@ std::uint64_t ClosedSectors(double h_1, double h_2, int sectors, SectorRounding 
 /// h(th) of an angle in [gamma - pi/2, gamma + pi/2].
 double SectorShare(double th_rad, double gamma_rad, SectorMeasure measure);
 
-/// A of one pixel. In [0, 1], but see Beware.
+/// A of one pixel, in double: the reference. In [0, 1], but see Beware.
 double VisibilityBitmaskOfPixel(const GBuffer& gbuffer, const BitmaskOptions& options, int x,
                                 int y);
 
-/// A of the drawn size.
+/// A of the drawn size, in float and with SIMD.
 Image<float> VisibilityBitmask(const GBuffer& gbuffer, const BitmaskOptions& options = {});
 
 }  // namespace plumb

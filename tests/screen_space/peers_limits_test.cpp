@@ -1,5 +1,6 @@
 // What holds of HBAO, GTAO and the bitmask in every case, and what they do with bad input.
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <cmath>
 #include <functional>
@@ -74,6 +75,25 @@ TEST(Peers, SameBitsOnOneThreadAndTwo) {
     }
 }
 
+// Whatever the width of the machine's vectors: each kind that this one has, against its best.
+TEST(Peers, SameBitsOnEveryKindOfMachine) {
+    const GBuffer g = Mixed(45);  // No multiple of any width.
+    const auto pictures = [&] {
+        std::vector<Image<float>> all;
+        for (const auto& technique : Techniques()) all.push_back(technique(g, {.radius_m = 2}));
+        return all;
+    };
+    const std::vector<Image<float>> best = pictures();
+    int kinds = 0;
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        EXPECT_EQ(pictures(), best) << hwy::TargetName(target);
+        ++kinds;
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    EXPECT_GE(kinds, 1);
+}
+
 TEST(Peers, SkyIsOne) {
     const GBuffer g = Mixed(40);
     for (const auto& technique : Techniques()) {
@@ -105,6 +125,57 @@ TEST(Peers, RadiusEndsWhatIsSeen) {
                            far = technique(g, {.radius_m = 5});
         EXPECT_LT(Sum(far), Sum(near));
         EXPECT_GT(near(1, 1), 0.93f);  // As open as ceil lets a plane be.
+    }
+}
+
+// The picture, in float and many pixels at once, against the reference, in double and one by
+// one. Expected: equal but where a sample's place or a sector's end comes within rounding of
+// the next: of some 40 samples a pixel a share of the order of 1e-5 each, so one pixel in 100
+// at most. Elsewhere angles are off by the float's rounding of cosines near 1, sqrt(2 2^-24) =
+// 3.5e-4, of few samples: taken as 1e-3.
+void ExpectAgrees(const GBuffer& g, const Image<float>& picture,
+                  const std::function<double(int, int)>& reference, double share) {
+    int apart = 0, pixels = 0;
+    double sum = 0;
+    for (int j = 0; j < picture.Height(); ++j) {
+        for (int i = 0; i < picture.Width(); ++i) {
+            if (!std::isfinite(g.z_m(i, j))) continue;
+            const double off = picture(i, j) - reference(i, j);
+            ++pixels;
+            apart += std::abs(off) > 1e-3;
+            sum += off;
+        }
+    }
+    EXPECT_LE(apart, share * pixels);
+    EXPECT_NEAR(sum / pixels, 0, 1e-3);
+}
+
+TEST(PeersPicture, AgreesWithTheReference) {
+    const GBuffer g = Mixed(53);
+    for (const SliceSpread spread : {SliceSpread::kScreen, SliceSpread::kLineOfSight}) {
+        for (const double power : {1.0, 2.0, 1.5}) {
+            const SliceSampling s{
+                .radius_m = 2, .slices = 3, .steps = 7, .step_power = power, .spread = spread};
+            const HbaoOptions hbao{.sampling = s, .bias_rad = 0.1};
+            const auto of_hbao = [&](int i, int j) { return HbaoOfPixel(g, hbao, i, j); };
+            ExpectAgrees(g, Hbao(g, hbao), of_hbao, 0.01);
+            for (const bool normalize : {false, true}) {
+                const GtaoOptions gtao{
+                    .sampling = s, .thickness_blend = 0.2 * normalize, .normalize = normalize};
+                ExpectAgrees(
+                    g, Gtao(g, gtao), [&](int i, int j) { return GtaoOfPixel(g, gtao, i, j); },
+                    0.01);
+                const BitmaskOptions mask{
+                    .sampling = s,
+                    .measure = normalize ? SectorMeasure::kCosine : SectorMeasure::kUniform,
+                    .rounding = SectorRounding::kRound,
+                    .normalize = normalize};
+                const auto of_mask = [&](int i, int j) {
+                    return VisibilityBitmaskOfPixel(g, mask, i, j);
+                };
+                ExpectAgrees(g, VisibilityBitmask(g, mask), of_mask, 0.01);
+            }
+        }
     }
 }
 

@@ -38,6 +38,8 @@ void RememberCommandLine(int argc, char** argv);
 void AddFit(CLI::App& program);
 void AddSimulate(CLI::App& program);
 void AddTruth(CLI::App& program);
+void AddRender(CLI::App& program);
+void AddReport(CLI::App& program);
 void AddBench(CLI::App& program);
 void AddBenchRaster(CLI::App& bench);
 

@@ -25,6 +25,8 @@ int main(int argc, char** argv) {
     plumb::app::AddFit(program);
     plumb::app::AddSimulate(program);
     plumb::app::AddTruth(program);
+    plumb::app::AddRender(program);
+    plumb::app::AddReport(program);
     plumb::app::AddBench(program);
     try {
         program.parse(argc, argv);

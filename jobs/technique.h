@@ -73,7 +73,7 @@ double TotalSeconds(const std::vector<Pass>& passes);
 /// The part of a drawn picture that is shown.
 template <class T>
 Image<T> Shown(const Image<T>& drawn, const View& view) {
-    Image<T> shown(view.width_px, view.height_px);
+    Image<T> shown(view.width_px, view.height_px, drawn(view.guard_px, view.guard_px));
     for (int j = 0; j < view.height_px; ++j) {
         for (int i = 0; i < view.width_px; ++i) {
             shown(i, j) = drawn(i + view.guard_px, j + view.guard_px);

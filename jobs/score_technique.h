@@ -1,0 +1,32 @@
+// One picture against every truth of its view, over every region.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "jobs/view_truth.h"
+#include "reports/scene_report.h"
+#include "score/regions.h"
+
+namespace plumb {
+
+/// The truths' names in a report.
+inline const std::string kTruthV = "V", kTruthNear = "V within r",
+                         kTruthWeighted = "V within r, weighted";
+
+std::string NameOf(Falloff falloff);
+
+/// Regions of the shown picture, from the truth's own depths and normals.
+Regions RegionsOf(const ViewTruth& truth);
+
+/// One truth, one region, all figures.
+ScoreAgainst ScoreOver(const Image<float>& A, const TruthImage& truth, const std::string& name,
+                       const std::string& region, const Mask& mask);
+
+/// V, V within r, and V within r weighted by `falloff`, each over whole, edges, interiors and
+/// border. Regions without a pixel are left out.
+std::vector<ScoreAgainst> ScoreAll(const Image<float>& A, const ViewTruth& truth,
+                                   const Regions& regions, Falloff falloff);
+
+}  // namespace plumb

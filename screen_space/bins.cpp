@@ -39,11 +39,11 @@ void Bins::Clear() {
 }
 
 void Bins::Add(const std::array<const ScreenVertex*, 3>& corners, std::uint32_t triangle,
-               bool alpha_tested, const PictureMap& map, const TileGrid& grid,
-               const RasterOptions& options) {
+               bool alpha_tested, const PictureFrame& frame) {
     const ScreenVertex &a = *corners[0], &b = *corners[1], &c = *corners[2];
     if ((a.outcode & b.outcode & c.outcode & ~outcode::kBeyondReach) != 0) return;
-    const DepthCurve curve(options.range);
+    const PictureMap& map = frame.map;
+    const DepthCurve& curve = frame.curve;
     const std::array<Vec3, 3> P{a.P, b.P, c.P};
     ScreenTriangle out;
     out.triangle = triangle;
@@ -60,10 +60,10 @@ void Bins::Add(const std::array<const ScreenVertex*, 3>& corners, std::uint32_t 
         if (area < 0) std::swap(out.corners[1], out.corners[2]);
         const auto [z_min, z_max] = std::minmax({a.P.z(), b.P.z(), c.P.z()});
         set_depth(-z_max, -z_min);
-        AddOnScreen(out, map, grid);
+        AddOnScreen(out, frame);
         return;
     }
-    const ClippedPolygon polygon = ClipTriangle(P, map, options.range.near_m);
+    const ClippedPolygon polygon = ClipTriangle(P, map, frame.near_m);
     if (polygon.size < 3) return;
     double t_min = -polygon.corners[0].z(), t_max = t_min;
     for (const Vec3& Q : polygon.Corners()) {
@@ -79,12 +79,13 @@ void Bins::Add(const std::array<const ScreenVertex*, 3>& corners, std::uint32_t 
         if (area == 0) continue;
         if (area < 0) std::swap(p, q);
         out.corners = {first, p, q};
-        AddOnScreen(out, map, grid);
+        AddOnScreen(out, frame);
     }
 }
 
-void Bins::AddOnScreen(const ScreenTriangle& triangle, const PictureMap& map,
-                       const TileGrid& grid) {
+void Bins::AddOnScreen(const ScreenTriangle& triangle, const PictureFrame& frame) {
+    const PictureMap& map = frame.map;
+    const TileGrid& grid = frame.grid;
     const auto& [a, b, c] = triangle.corners;
     const auto [x_min, x_max] = std::minmax({a.x, b.x, c.x});
     const auto [y_min, y_max] = std::minmax({a.y, b.y, c.y});

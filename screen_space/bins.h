@@ -35,6 +35,17 @@ struct TileGrid {
     int Tiles() const { return columns * rows; }
 };
 
+/// What all triangles of a picture share.
+struct PictureFrame {
+    PictureMap map;
+    TileGrid grid;
+    DepthCurve curve;
+    double near_m;
+
+    PictureFrame(const View& view, const DepthRange& range)
+        : map(view), grid(view), curve(range), near_m(range.near_m) {}
+};
+
 /// The triangles of one chunk of faces.
 class Bins {
   public:
@@ -43,8 +54,7 @@ class Bins {
 
     /// Adds what is visible of a triangle.
     void Add(const std::array<const ScreenVertex*, 3>& corners, std::uint32_t triangle,
-             bool alpha_tested, const PictureMap& map, const TileGrid& grid,
-             const RasterOptions& options);
+             bool alpha_tested, const PictureFrame& frame);
 
     /// To be called after the last Add.
     void SortByTile(const TileGrid& grid);
@@ -58,8 +68,7 @@ class Bins {
     std::size_t Size() const { return triangles_.size(); }
 
   private:
-    void AddOnScreen(const ScreenTriangle& triangle, const PictureMap& map,
-                     const TileGrid& grid);
+    void AddOnScreen(const ScreenTriangle& triangle, const PictureFrame& frame);
 
     struct Reference {
         std::uint32_t tile, triangle;

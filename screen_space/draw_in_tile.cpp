@@ -1,5 +1,7 @@
 #include "screen_space/draw_in_tile.h"
 
+#include <limits>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "screen_space/draw_in_tile.cpp"
 #include <hwy/foreach_target.h>
@@ -127,6 +129,17 @@ void DrawFormat(std::span<const TileTriangle> triangles, DepthFormat format,
     }
 }
 
+float FindLeastKey(const Tile& tile) {
+    const Floats d;
+    auto least = hn::Set(d, std::numeric_limits<float>::infinity());
+    for (std::size_t j = 0; j < kTilePx; ++j) {
+        for (std::size_t i = 0; i < kTilePx; i += hn::Lanes(d)) {
+            least = hn::Min(least, hn::LoadU(d, tile.key.data() + j * kTileStride + i));
+        }
+    }
+    return hn::GetLane(hn::MinOfLanes(d, least));
+}
+
 }  // namespace
 }  // namespace plumb::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -137,12 +150,17 @@ namespace plumb {
 namespace {
 
 HWY_EXPORT(DrawFormat);
+HWY_EXPORT(FindLeastKey);
 
 }  // namespace
 
 void DrawInTile(std::span<const TileTriangle> triangles, DepthFormat format,
                 bool with_triangles, Tile& tile) {
     HWY_DYNAMIC_DISPATCH(DrawFormat)(triangles, format, with_triangles, tile);
+}
+
+float LeastKey(const Tile& tile) {
+    return HWY_DYNAMIC_DISPATCH(FindLeastKey)(tile);
 }
 
 }  // namespace plumb

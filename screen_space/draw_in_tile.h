@@ -47,4 +47,10 @@ TileTriangle InTile(const ScreenTriangle& triangle, int column, int row);
 void DrawInTile(std::span<const TileTriangle> triangles, DepthFormat format,
                 bool with_triangles, Tile& tile);
 
+/// What the depth buffer holds for `pixels` of row j.
+void StoreDepthRow(const Tile& tile, int j, int pixels, DepthFormat format, std::uint32_t* out);
+
+/// The least key of the tile: what lies behind it everywhere need not be drawn.
+float LeastKey(const Tile& tile);
+
 }  // namespace plumb

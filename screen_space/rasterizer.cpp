@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/error.h"
@@ -15,6 +16,7 @@ namespace plumb {
 namespace {
 
 constexpr std::int64_t kFacesAtATime = 8192;
+constexpr std::size_t kTrianglesAtATime = 32;
 
 void CheckIndices(const Mesh& mesh, std::int64_t face) {
     const std::size_t vertices = mesh.vertices_m.size();
@@ -49,6 +51,15 @@ void DrawWithHoles(const TileTriangle& t, DepthFormat format, bool with_triangle
     }
 }
 
+// Pixels of the tile beyond the picture are nearer than anything, so that they hide nothing.
+void Clear(DepthFormat format, int width, int height, Tile& tile) {
+    tile.key.fill(std::numeric_limits<float>::infinity());
+    for (int j = 0; j < height; ++j) {
+        std::fill_n(tile.key.data() + j * kTileStride, width, KeyOf(format, 0));
+    }
+    tile.triangle.fill(GBuffer::kSky);
+}
+
 template <class T>
 void Resize(Image<T>& image, int width, int height) {
     if (image.Width() != width || image.Height() != height) image = Image<T>(width, height);
@@ -81,8 +92,7 @@ const VisibilityBuffer& Rasterizer::Draw(const Mesh& mesh, const Camera& camera,
 
 void Rasterizer::SortIntoTiles(const Mesh& mesh, const RasterOptions& options,
                                const AlphaTest* alpha_test) {
-    const PictureMap map(out_.view);
-    const TileGrid grid(out_.view);
+    const PictureFrame frame(out_.view, options.range);
     const std::int64_t faces = std::int64_t(mesh.quads.size());
     chunks_.resize(std::size_t((faces + kFacesAtATime - 1) / kFacesAtATime));
     ParallelFor(faces, kFacesAtATime, [&](std::int64_t begin, std::int64_t end) {
@@ -99,10 +109,10 @@ void Rasterizer::SortIntoTiles(const Mesh& mesh, const RasterOptions& options,
                 const auto corners = CornersOf(mesh, triangle);
                 bins.Add(
                     {&vertices_[corners[0]], &vertices_[corners[1]], &vertices_[corners[2]]},
-                    triangle, tested, map, grid, options);
+                    triangle, tested, frame);
             }
         }
-        bins.SortByTile(grid);
+        bins.SortByTile(frame.grid);
     });
 }
 
@@ -115,44 +125,45 @@ void Rasterizer::DrawTile(const Mesh& mesh, int column, int row, bool with_trian
                           const AlphaTest* alpha_test) {
     const DepthFormat format = out_.format;
     const int tile_number = row * TileGrid(out_.view).columns + column;
+    const int i_0 = column * kTilePx, j_0 = row * kTilePx;
+    const int width = std::min(kTilePx, out_.view.DrawnWidth() - i_0);
+    const int height = std::min(kTilePx, out_.view.DrawnHeight() - j_0);
     Tile tile;
-    tile.key.fill(KeyOf(format, 0));
-    if (with_triangles) tile.triangle.fill(GBuffer::kSky);
+    Clear(format, width, height, tile);
     std::vector<TileTriangle> ready;
+    float least = KeyOf(format, 0);
+    const auto draw_ready = [&] {
+        DrawInTile(ready, format, with_triangles, tile);
+        ready.clear();
+        least = LeastKey(tile);
+    };
     for (const Bins& bins : chunks_) {
         for (const std::uint32_t number : bins.OfTile(tile_number)) {
             const ScreenTriangle& triangle = bins[number];
+            if (!(KeyOf(format, triangle.e_max) > least)) continue;
             const TileTriangle here = InTile(triangle, column, row);
             if (triangle.alpha_tested == 0) {
                 ready.push_back(here);
+                if (ready.size() == kTrianglesAtATime) draw_ready();
                 continue;
             }
-            DrawInTile(ready, format, with_triangles, tile);
-            ready.clear();
+            draw_ready();
             const SeenTriangle seen(CornersM(mesh, triangle.triangle));
             DrawWithHoles(
                 here, format, with_triangles,
                 [&](int i, int j) {
-                    const Vec3 b = seen.Weights(out_.view, column * kTilePx + i + 0.5,
-                                                row * kTilePx + j + 0.5);
+                    const Vec3 b = seen.Weights(out_.view, i_0 + i + 0.5, j_0 + j + 0.5);
                     return alpha_test->solid(triangle.triangle, b[1], b[2]);
                 },
                 tile);
         }
-        DrawInTile(ready, format, with_triangles, tile);
-        ready.clear();
     }
-    const int i_0 = column * kTilePx, j_0 = row * kTilePx;
-    const int width = std::min(kTilePx, out_.view.DrawnWidth() - i_0);
-    const int height = std::min(kTilePx, out_.view.DrawnHeight() - j_0);
+    draw_ready();
     for (int j = 0; j < height; ++j) {
-        const std::size_t from = std::size_t(j) * kTileStride;
-        std::uint32_t* const depth = &out_.depth(i_0, j_0 + j);
-        for (int i = 0; i < width; ++i) {
-            depth[i] = BitsOfKey(format, tile.key[from + std::size_t(i)]);
-        }
+        StoreDepthRow(tile, j, width, format, &out_.depth(i_0, j_0 + j));
         if (!with_triangles) continue;
-        std::copy_n(&tile.triangle[from], width, &out_.triangle(i_0, j_0 + j));
+        std::copy_n(tile.triangle.data() + j * kTileStride, width,
+                    &out_.triangle(i_0, j_0 + j));
     }
 }
 

@@ -4,7 +4,9 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 #include <cctype>
 #include <cmath>
 #include <fstream>
@@ -49,6 +51,36 @@ Vec3f UnitOrZero(const Vec3& n) {
     if (!(length > 0 && std::isfinite(length))) return Vec3f::Zero();
     return Vec3(n / length).cast<float>();
 }
+
+// What assimp's readers warn of while one of these lives.
+class Warnings {
+  public:
+    Warnings() {
+        Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
+        Assimp::DefaultLogger::get()->attachStream(new Stream(lines_),
+                                                   Assimp::Logger::Warn | Assimp::Logger::Err);
+    }
+    ~Warnings() { Assimp::DefaultLogger::kill(); }  // And the stream.
+    Warnings(const Warnings&) = delete;
+
+    const std::vector<std::string>& Lines() const { return lines_; }
+
+  private:
+    struct Stream : Assimp::LogStream {
+        explicit Stream(std::vector<std::string>& lines_in) : lines(lines_in) {}
+        void write(const char* message) override {
+            std::string line = message;
+            while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) {
+                line.pop_back();
+            }
+            if (lines.size() < kMostWarnings) lines.push_back(line);
+        }
+        std::vector<std::string>& lines;
+    };
+
+    static constexpr std::size_t kMostWarnings = 20;
+    std::vector<std::string> lines_;
+};
 
 class Converter {
   public:
@@ -171,6 +203,7 @@ MeshFile ReadMesh(const std::filesystem::path& path, const MeshFileOptions& opti
     }
     CheckPlyHeader(path);
     try {
+        const Warnings warnings;
         Assimp::Importer importer;
         importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                     aiPrimitiveType_POINT | aiPrimitiveType_LINE);
@@ -178,7 +211,15 @@ MeshFile ReadMesh(const std::filesystem::path& path, const MeshFileOptions& opti
             file, aiProcess_Triangulate | aiProcess_PreTransformVertices |
                       aiProcess_JoinIdenticalVertices | aiProcess_SortByPType);
         if (!scene) throw Error(file + ": " + importer.GetErrorString());
-        return Converter(path, options).Convert(*scene);
+        for (const std::string& line : warnings.Lines()) {
+            // assimp puts another vertex in its place and goes on.
+            if (line.find("out of range") != std::string::npos) throw Error(file + ": " + line);
+        }
+        MeshFile read = Converter(path, options).Convert(*scene);
+        for (const std::string& line : warnings.Lines()) {
+            read.notes.push_back(file + ": " + line);
+        }
+        return read;
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {

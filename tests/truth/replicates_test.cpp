@@ -231,5 +231,18 @@ TEST(NetSampling, RefusesWhatItCannotDo) {
     EXPECT_EQ(message({}), "no error");
 }
 
+// By hand: where counts happen to be equal, one sample more or less in each net would not show;
+// rounding to whole samples hides 1 / (n sqrt 12) a net, 1 / (n sqrt(12 R)) of their mean, and
+// so much times the value where values are not counts.
+TEST(Replicates, EqualMeansAreNotTakenAsCertain) {
+    const std::array<double, 3> equal{0.5, 0.5, 0.5};
+    EXPECT_DOUBLE_EQ(FromMeans(equal, 10).standard_error, 1 / (10 * std::sqrt(36.0)));
+    const std::array<double, 3> bright{40, 40, 40};
+    const Measured measured = FromUnboundedMeans(bright, 10);
+    EXPECT_DOUBLE_EQ(measured.standard_error, 40 / (10 * std::sqrt(36.0)));
+    EXPECT_GT(measured.interval.high, 40);
+    EXPECT_EQ(FromUnboundedMeans(std::array<double, 3>{0, 0, 0}, 10).standard_error, 0);
+}
+
 }  // namespace
 }  // namespace plumb

@@ -2,6 +2,7 @@
 #include "screen_space/draw_in_tile.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,8 +59,8 @@ ScreenTriangle RandomTriangle(std::uint64_t number) {
     return t;
 }
 
-// Expected: the same bits. Keys are compared bit by bit, over the tile without its padding.
-TEST(DrawInTile, IsItsDefinition) {
+// Expected: the same bits, over the tile without its padding.
+void ExpectDefinition() {
     for (const DepthFormat format : {DepthFormat::kD16, DepthFormat::kD24, DepthFormat::kD32F,
                                      DepthFormat::kD32FReversed}) {
         Tile fast, plain;
@@ -88,6 +89,34 @@ TEST(DrawInTile, IsItsDefinition) {
             plain = fast;
         }
         EXPECT_GT(drawn, 1000);
+    }
+}
+
+TEST(DrawInTile, IsItsDefinitionWithEveryInstructionSet) {
+    int tried = 0;
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        SCOPED_TRACE(hwy::TargetName(target));
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(target);
+        ExpectDefinition();
+        ++tried;
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    EXPECT_GE(tried, 1);
+}
+
+TEST(DrawInTile, LeastKeyIsTheLeast) {
+    Tile tile;
+    tile.key.fill(-1);  // The padding, which does not count.
+    for (int j = 0; j < kTilePx; ++j) {
+        for (int i = 0; i < kTilePx; ++i) tile.key[std::size_t(j * kTileStride + i)] = 0.75f;
+    }
+    EXPECT_EQ(LeastKey(tile), 0.75f);
+    for (const auto& [i, j] : {std::pair{0, 0}, {63, 0}, {63, 63}, {17, 41}, {0, 63}}) {
+        Tile other = tile;
+        other.key[std::size_t(j * kTileStride + i)] = 0.25f;
+        EXPECT_EQ(LeastKey(other), 0.25f) << i << " " << j;
     }
 }
 

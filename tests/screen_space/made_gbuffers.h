@@ -70,9 +70,10 @@ inline MadeShape MadeTrench() {
         Union(MadePlane({1, 0, 0}, -0.5, below_rim), MadePlane({1, 0, 0}, 0.5, below_rim)));
 }
 
-/// A sphere of 0.5 m that floats 0.8 m in front of the plane z = -5.
+/// A sphere of 0.5 m, 0.1 m above a floor y = -1, far in front of a wall.
 inline MadeShape MadeSphereOverPlane() {
-    return Union(MadePlane({0, 0, 1}, -5), MadeSphere({0, 0, -4.2}, 0.5));
+    return Union(Union(MadePlane({0, 1, 0}, -1), MadePlane({0, 0, 1}, -8)),
+                 MadeSphere({0, -0.4, -4.5}, 0.5));
 }
 
 /// A view of `width` x `height` square pixels, tan of half its height `tan`.

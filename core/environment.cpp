@@ -12,8 +12,7 @@ Rgb RadianceFrom(const Environment& environment, const Vec3& w) {
     const Image<Rgb>& image = environment.radiance;
     if (image.Empty()) return {1, 1, 1};
     const int W = image.Width(), H = image.Height();
-    const double x_s =
-        0.5 + (std::atan2(w.x(), w.y()) - environment.turn_rad) / (2 * kPi);
+    const double x_s = 0.5 + (std::atan2(w.x(), w.y()) - environment.turn_rad) / (2 * kPi);
     const double y_s = std::atan2(std::hypot(w.x(), w.y()), w.z()) / kPi;
     const double x = (x_s - std::floor(x_s)) * W - 0.5, y = y_s * H - 0.5;
     const int left = int(std::floor(x)), above = int(std::floor(y));

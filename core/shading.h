@@ -47,10 +47,10 @@ class ShadingModel {
         const Rgb mean = MeanRadiance(light.environment);
         for (std::size_t c = 0; c < 3; ++c) ambient_[c] = double(light.sky[c]) * mean[c];
         for (const DirectionalLight& of : light.directional) {
-            directional_.push_back({.number = directional_.size(),
-                                    .towards = of.towards.normalized(),
-                                    .irradiance = {of.irradiance[0], of.irradiance[1],
-                                                   of.irradiance[2]}});
+            directional_.push_back(
+                {.number = directional_.size(),
+                 .towards = of.towards.normalized(),
+                 .irradiance = {of.irradiance[0], of.irradiance[1], of.irradiance[2]}});
         }
     }
 

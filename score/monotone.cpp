@@ -31,6 +31,10 @@ MonotoneMap FitMonotone(std::vector<MonotoneSample> samples) {
               [](const MonotoneSample& a, const MonotoneSample& b) {
                   return a.x != b.x ? a.x < b.x : a.y < b.y;
               });
+    return FitSorted(samples);
+}
+
+MonotoneMap FitSorted(std::span<const MonotoneSample> samples) {
     std::vector<Group> groups;
     for (std::size_t k = 0; k < samples.size();) {
         Group group{.first_x = samples[k].x, .last_x = samples[k].x};

@@ -32,7 +32,10 @@ struct MonotoneSample {
     double x = 0, y = 0;
 };
 
-/// The best f for samples of equal weight; equal x share one value. Cost: n log n.
+/// The best f for samples of equal weight, sorted by x; equal x share one value. Cost: n.
+MonotoneMap FitSorted(std::span<const MonotoneSample> samples);
+
+/// The same of samples in any order. Cost: n log n.
 MonotoneMap FitMonotone(std::vector<MonotoneSample> samples);
 
 }  // namespace plumb

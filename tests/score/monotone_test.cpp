@@ -13,7 +13,7 @@ namespace {
 
 double SquaresOf(const MonotoneMap& map, const std::vector<MonotoneSample>& samples) {
     double sum = 0;
-    for (const auto& [x, y] : samples) sum += (map(x) - y) * (map(x) - y);
+    for (const MonotoneSample& s : samples) sum += std::pow(map(s.x) - s.y, 2);
     return sum;
 }
 

@@ -37,6 +37,27 @@ TEST(Recalibration, MendsAnyCurve) {
     EXPECT_NEAR(score.map(0.25), 0.5, 1e-3);
 }
 
+// Values of either sign, many of them alike, 0 and -0 among them: the map is the plain fit's.
+TEST(Recalibration, OrdersValuesOfEitherSign) {
+    std::vector<MonotoneSample> samples;
+    Image<float> candidate(kSide, kSide), truth(kSide, kSide);
+    for (int j = 0; j < kSide; ++j) {
+        for (int i = 0; i < kSide; ++i) {
+            candidate(i, j) = float((i * 7 + j * 13) % 41 - 20) / 8 * (j % 2 ? 1 : -1);
+            truth(i, j) = 0.3f * candidate(i, j) + 0.01f * float((i * j) % 17);
+            samples.push_back({candidate(i, j), truth(i, j)});
+        }
+    }
+    const MonotoneMap expected = FitMonotone(samples);
+    const MonotoneMap map = ScoreRecalibrated(candidate, truth).map;
+    ASSERT_EQ(map.levels.size(), expected.levels.size());
+    ASSERT_GT(map.levels.size(), 10u);
+    for (std::size_t k = 0; k < map.levels.size(); ++k) {
+        EXPECT_EQ(map.levels[k].first_x, expected.levels[k].first_x);
+        EXPECT_NEAR(map.levels[k].y, expected.levels[k].y, 1e-14);  // Sums in another order.
+    }
+}
+
 // A picture upside down in value: the best rising f is the constant mean, RMSE* the standard
 // deviation of the truth.
 TEST(Recalibration, DoesNotTurnAround) {

@@ -18,8 +18,9 @@ struct Setting {
 
 std::vector<Setting> SettingsOf(const std::string& name, double radius_m) {
     std::vector<Setting> settings{{"as shipped", TechniqueNamed(name, {.radius_m = radius_m})}};
-    const bool traced = name.starts_with("rays-");
-    if (!traced) {
+    settings.push_back(
+        {"no filter", TechniqueNamed(name, {.radius_m = radius_m, .filter = false})});
+    if (!name.starts_with("rays-")) {
         for (const int samples : kSampleCounts) {
             Technique technique =
                 TechniqueNamed(name, {.radius_m = radius_m, .samples = samples});
@@ -33,9 +34,6 @@ std::vector<Setting> SettingsOf(const std::string& name, double radius_m) {
     SaoOptions options = shipped;
     options.sampling.taps.coarsest_level = 0;
     settings.push_back({"no pyramid", SaoTechnique(name, options)});
-    options = shipped;
-    options.blur_x = options.blur_y = false;
-    settings.push_back({"no filter", SaoTechnique(name, options)});
     options = shipped;
     options.pack_rgb8 = false;
     settings.push_back({"no packing", SaoTechnique(name, options)});

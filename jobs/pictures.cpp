@@ -23,4 +23,33 @@ Image<float> ShadedRelief(const HeightField& field) {
     return CellImage(field, cosine);
 }
 
+namespace {
+
+template <class T, class Add>
+Image<T> MeanBlocks(const Image<T>& image, int most_columns, const Add& add) {
+    const int block = (image.Width() + most_columns - 1) / most_columns;
+    if (block <= 1 || image.Height() < block) return image;
+    Image<T> smaller(image.Width() / block, image.Height() / block, T{});
+    const float share = 1.0F / float(block * block);
+    for (int j = 0; j < smaller.Height() * block; ++j) {
+        for (int i = 0; i < smaller.Width() * block; ++i) {
+            add(smaller(i / block, j / block), image(i, j), share);
+        }
+    }
+    return smaller;
+}
+
+}  // namespace
+
+Image<float> Smaller(const Image<float>& image, int most_columns) {
+    return MeanBlocks(image, most_columns,
+                      [](float& sum, float value, float share) { sum += share * value; });
+}
+
+Image<Rgb> Smaller(const Image<Rgb>& image, int most_columns) {
+    return MeanBlocks(image, most_columns, [](Rgb& sum, const Rgb& value, float share) {
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += share * value[c];
+    });
+}
+
 }  // namespace plumb

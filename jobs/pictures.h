@@ -1,4 +1,4 @@
-// Height fields and light as pictures for eyes.
+// Height fields, light and errors as pictures for eyes.
 #pragma once
 
 #include <span>
@@ -14,5 +14,10 @@ Image<float> ShadedRelief(const HeightField& field);
 
 /// One value a facet as one pixel a cell, the mean of its two.
 Image<float> CellImage(const HeightField& field, std::span<const double> per_facet);
+
+/// At most so many columns wide: means of whole blocks of pixels, what is left of a block at the
+/// right and below dropped. The same picture if it is not wider.
+Image<float> Smaller(const Image<float>& image, int most_columns);
+Image<Rgb> Smaller(const Image<Rgb>& image, int most_columns);
 
 }  // namespace plumb

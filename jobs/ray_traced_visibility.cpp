@@ -11,6 +11,7 @@
 #include "core/random.h"
 #include "core/sobol.h"
 #include "core/warp.h"
+#include "screen_space/pixel_rect.h"
 #include "truth/leave_surface.h"
 #include "truth/triangle.h"
 
@@ -40,6 +41,9 @@ void Validate(const RayTracedOptions& o) {
     if (o.rays < 1 || o.rays > 4096) {
         throw Error(MustBe("RayTracedOptions::rays", o.rays, "in [1, 4096]"));
     }
+    if (o.margin_px < 0) {
+        throw Error(MustBe("RayTracedOptions::margin_px", o.margin_px, ">= 0"));
+    }
 }
 
 Image<float> RayTracedVisibility(const RayCaster& caster, const Scene& scene,
@@ -49,11 +53,12 @@ Image<float> RayTracedVisibility(const RayCaster& caster, const Scene& scene,
     const View& view = gbuffer.view;
     const CameraFrame frame(camera);
     Image<float> A(view.DrawnWidth(), view.DrawnHeight(), 1);
-    ParallelFor(A.Height(), 4, [&](std::int64_t begin, std::int64_t end) {
+    const PixelRect made = ShownAndMargin(view, options.margin_px);
+    ParallelFor(made.Height(), 4, [&](std::int64_t begin, std::int64_t end) {
         std::vector<Vec3f> directions(std::size_t(options.rays));
         std::vector<std::uint64_t> met(BitWords(directions.size()));
-        for (int j = int(begin); j < int(end); ++j) {
-            for (int i = 0; i < A.Width(); ++i) {
+        for (int j = made.y0 + int(begin); j < made.y0 + int(end); ++j) {
+            for (int i = made.x0; i < made.x1; ++i) {
                 const std::uint32_t number = gbuffer.triangle(i, j);
                 if (number == GBuffer::kSky) continue;
                 const Triangle triangle = TriangleOf(scene.mesh, number);

@@ -23,12 +23,14 @@ struct RayTracedOptions {
     double radius_m = 1.5;  ///< r. (0, infinity)
     int rays = 1;           ///< N. [1, 4096]
     std::uint64_t seed = 1;
+    int margin_px = 8;  ///< Of the border drawn; the reach of SAO's filter. >= 0
 };
 
 /// Throws Error, naming field, value and rule.
 void Validate(const RayTracedOptions& options);
 
-/// A of the drawn size; 1 where the sky is seen.
+/// A of the drawn size, made where it is shown and `margin_px` beyond, where a filter reads; 1
+/// elsewhere and where the sky is seen.
 Image<float> RayTracedVisibility(const RayCaster& caster, const Scene& scene,
                                  const Camera& camera, const GBuffer& gbuffer,
                                  const RayTracedOptions& options);

@@ -14,6 +14,7 @@
 #include "jobs/ao_sweep.h"
 #include "jobs/ao_times.h"
 #include "jobs/error_budget.h"
+#include "jobs/pictures.h"
 #include "jobs/render_scene.h"
 #include "jobs/score_technique.h"
 #include "jobs/signed_picture.h"
@@ -66,6 +67,9 @@ double BareRaysPerSecond(const EmbreeCaster& caster, const Scene& scene,
     std::sort(seconds.begin(), seconds.end());
     return double(kRays) / seconds[seconds.size() / 2];
 }
+
+// A page holds some thirty pictures: they are half this wide on it at most.
+constexpr int kMostPictureColumns = 560;
 
 std::vector<Falloff> FalloffsOf(const std::vector<Technique>& techniques,
                                 const SaoOptions& budget) {
@@ -142,9 +146,10 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
                     .picture_near = {}};
     const auto picture = [&](const std::string& name, const auto& image) -> std::string {
         if (job.pictures.empty()) return {};
-        const std::filesystem::path path = job.pictures / (name + ".png");
-        WritePreview(path, image);
-        return PngDataUri(path);
+        WritePreview(job.pictures / (name + ".png"), image);
+        const std::filesystem::path small = job.pictures / (name + "_small.png");
+        WritePreview(small, Smaller(image, kMostPictureColumns));
+        return PngDataUri(small);
     };
     report.truth.picture_V = picture("truth_v", truth.V.value);
     report.truth.picture_near = picture("truth_near", near.value);

@@ -83,30 +83,33 @@ int SamplesOf(const SliceSampling& sampling) {
     return 2 * sampling.slices * sampling.steps;
 }
 
+// The filter that every technique but SAO's own gets: SAO's, on unpacked numbers.
+SaoOptions CommonFilter(bool filter) {
+    SaoOptions options = SaoSupplement2012();
+    options.pack_rgb8 = false;
+    options.blur_x = options.blur_y = filter;
+    return options;
+}
+
 template <class Make>
-Technique OnePass(std::string name, Falloff falloff, int samples, Make make) {
+Technique Sampled(std::string name, Falloff falloff, int samples, bool filter, Make make) {
     return {std::move(name), falloff, samples,
-            [make](const TechniqueInput& in, const PassClock& clock) {
+            [make, filter](const TechniqueInput& in, const PassClock& clock) {
                 Passes passes(clock);
-                Image<float> A = make(in.gbuffer);
-                passes.Ended("sample", std::move(A));
+                Image<float> A = make(in);
+                passes.Ended("sample", A);
+                if (filter) Filter(in.gbuffer, CommonFilter(filter), std::move(A), passes);
                 return passes.Take();
             }};
 }
 
 Technique RayTraced(int rays, const TechniqueSettings& settings) {
     const RayTracedOptions options{.radius_m = settings.radius_m, .rays = rays};
-    SaoOptions filter = SaoSupplement2012();
-    filter.pack_rgb8 = false;
-    return {"rays-" + std::to_string(rays), Falloff::kHard, rays,
-            [=](const TechniqueInput& in, const PassClock& clock) {
-                Passes passes(clock);
-                Image<float> A =
-                    RayTracedVisibility(in.caster, in.scene, in.camera, in.gbuffer, options);
-                passes.Ended("rays", A);
-                Filter(in.gbuffer, filter, std::move(A), passes);
-                return passes.Take();
-            }};
+    return Sampled("rays-" + std::to_string(rays), Falloff::kHard, rays, settings.filter,
+                   [options](const TechniqueInput& in) {
+                       return RayTracedVisibility(in.caster, in.scene, in.camera, in.gbuffer,
+                                                  options);
+                   });
 }
 
 BitmaskOptions Bitmask(SectorMeasure measure, SectorRounding rounding,
@@ -159,6 +162,7 @@ SaoOptions SaoWith(const std::string& preset, const TechniqueSettings& settings)
         options.sampling.taps.samples = settings.samples;
         options.sampling.taps.turns = 0;
     }
+    if (!settings.filter) options.blur_x = options.blur_y = false;
     return options;
 }
 
@@ -179,22 +183,26 @@ Technique TechniqueNamed(const std::string& name, const TechniqueSettings& setti
     if (name == "hbao") {
         HbaoOptions options;
         SetSamples(options.sampling, settings);
-        return OnePass(name, Falloff::kQuadratic, SamplesOf(options.sampling),
-                       [options](const GBuffer& g) { return Hbao(g, options); });
+        return Sampled(
+            name, Falloff::kQuadratic, SamplesOf(options.sampling), settings.filter,
+            [options](const TechniqueInput& in) { return Hbao(in.gbuffer, options); });
     }
     if (name == "gtao") {
         GtaoOptions options;
         SetSamples(options.sampling, settings);
-        return OnePass(name, Falloff::kFarEnd, SamplesOf(options.sampling),
-                       [options](const GBuffer& g) { return Gtao(g, options); });
+        return Sampled(
+            name, Falloff::kFarEnd, SamplesOf(options.sampling), settings.filter,
+            [options](const TechniqueInput& in) { return Gtao(in.gbuffer, options); });
     }
     if (name == "bitmask" || name == "bitmask-cosine") {
         const BitmaskOptions options =
             name == "bitmask"
                 ? Bitmask(SectorMeasure::kUniform, SectorRounding::kCeil, settings)
                 : Bitmask(SectorMeasure::kCosine, SectorRounding::kRound, settings);
-        return OnePass(name, Falloff::kHard, SamplesOf(options.sampling),
-                       [options](const GBuffer& g) { return VisibilityBitmask(g, options); });
+        return Sampled(name, Falloff::kHard, SamplesOf(options.sampling), settings.filter,
+                       [options](const TechniqueInput& in) {
+                           return VisibilityBitmask(in.gbuffer, options);
+                       });
     }
     for (const int rays : kRayCounts) {
         if (name == "rays-" + std::to_string(rays)) {

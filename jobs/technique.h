@@ -3,8 +3,10 @@
 //       sao-paper, sao-supplement2012, sao-g3d10     [McGuire12], three generations of constants
 //       alchemy                                      its baseline
 //       hbao, gtao, bitmask, bitmask-cosine          peers on the same G-buffer
-//       rays-1, rays-2, rays-4, rays-8               ray-traced V within r, then SAO's own filter
+//       rays-1, rays-2, rays-4, rays-8               ray-traced V within r
 //
+// All but the baseline's and SAO's own are followed by one and the same filter, that of SAO's
+// supplement on unpacked numbers, so that none wins by a better filter.
 // Each has a falloff: how much less it counts what is farther away. The truth weighted by the
 // same falloff is what the technique means to compute; V and V within r are what its user wants.
 #pragma once
@@ -48,7 +50,8 @@ struct Technique {
 /// What a caller may change in every technique.
 struct TechniqueSettings {
     double radius_m = 1.5;
-    int samples = 0;  ///< Lookups or rays a pixel; 0 = the technique's own.
+    int samples = 0;     ///< Lookups or rays a pixel; 0 = the technique's own.
+    bool filter = true;  ///< The bilateral passes.
 };
 
 /// Throws Error, naming field, value and rule.

@@ -101,7 +101,7 @@ std::string TruthHtml(const SceneReport& r) {
            "than " +
            Digits(r.radius_m) +
            " m, which is what a screen-space method is meant to find.</p>" +
-           "<div class=\"pictures\">" + Figcaption(r.truth.picture_V, "V", "V") +
+           "<div class=\"views\">" + Figcaption(r.truth.picture_V, "V", "V") +
            Figcaption(r.truth.picture_near, "V within r",
                       "V within r = " + Digits(r.radius_m) + " m") +
            "</div>";
@@ -116,7 +116,7 @@ std::string ScoresHtml(const SceneReport& r) {
     for (const TechniqueScore& t : r.techniques) {
         const ScoreAgainst& s = t.Against(kNear);
         rows.push_back({Text(t.name),
-                        Number(t.samples, 4),
+                        Text(std::to_string(t.samples)),
                         Ms(t.seconds),
                         {WithError(s.error.bias.value, s.error.bias.standard_error), "", ""},
                         {WithError(s.error.mae.value, s.error.mae.standard_error), "", ""},
@@ -181,7 +181,7 @@ std::string PicturesHtml(const SceneReport& r) {
         "The scale is the same in all pictures.</p>\n";
     for (const TechniqueScore& t : r.techniques) {
         if (t.picture.empty()) continue;
-        html += "<div class=\"pictures\">" + Figcaption(t.picture, t.name, t.name) +
+        html += "<div class=\"views\">" + Figcaption(t.picture, t.name, t.name) +
                 Figcaption(t.signed_error, "error of " + t.name,
                            "error, RMSE " + Digits(t.Against(kNear).error.rmse.value)) +
                 "</div>\n";

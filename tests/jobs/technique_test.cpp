@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "jobs/ao_sweep.h"
 #include "jobs/layered_obscurance.h"
+#include "jobs/pictures.h"
 #include "jobs/ray_traced_visibility.h"
 #include "jobs/render_scene.h"
 #include "jobs/score_technique.h"
@@ -173,6 +174,17 @@ TEST(SignedPicture, IsBlueWhiteRedAndGrey) {
     EXPECT_EQ(picture(1, 0), (Rgb{1, 1, 1}));
     EXPECT_GT(picture(2, 0)[0], picture(2, 0)[2]);
     EXPECT_EQ(picture(3, 0)[0], picture(3, 0)[2]);
+}
+
+// Expected: means of 2 x 2 by hand; the fifth column and third row fill no block.
+TEST(Smaller, IsTheMeanOfWholeBlocks) {
+    Image<float> image(5, 3);
+    for (std::size_t p = 0; p < 15; ++p) image.Pixels()[p] = float(p);
+    const Image<float> smaller = Smaller(image, 3);
+    EXPECT_EQ(smaller.Width(), 2);
+    EXPECT_EQ(smaller.Height(), 1);
+    EXPECT_EQ(smaller.Pixels(), (std::vector<float>{3, 5}));
+    EXPECT_EQ(Smaller(image, 5).Pixels(), image.Pixels());
 }
 
 // Expected: a clock that adds 1, 2, 3 ... seconds a call: medians by hand, the first run left out.

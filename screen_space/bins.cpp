@@ -71,10 +71,10 @@ void Bins::Add(const std::array<const ScreenVertex*, 3>& corners, std::uint32_t 
         t_max = std::max(t_max, -Q.z());
     }
     set_depth(t_min, t_max);
-    const FixedPoint first = ToFixed(map, polygon.corners[0]);
+    const FixedPoint first = ToFixedWithinReach(map, polygon.corners[0]);
     for (int k = 1; k + 1 < polygon.size; ++k) {
-        FixedPoint p = ToFixed(map, polygon.corners[std::size_t(k)]);
-        FixedPoint q = ToFixed(map, polygon.corners[std::size_t(k + 1)]);
+        FixedPoint p = ToFixedWithinReach(map, polygon.corners[std::size_t(k)]);
+        FixedPoint q = ToFixedWithinReach(map, polygon.corners[std::size_t(k + 1)]);
         const std::int64_t area = TwiceArea(first, p, q);
         if (area == 0) continue;
         if (area < 0) std::swap(p, q);

@@ -1,6 +1,7 @@
 #include "screen_space/draw_gbuffer.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "core/parallel.h"
@@ -72,13 +73,8 @@ class Resolver {
 
     void Pixel(const Seen& here, int i, int j) {
         const Vec3 b = here.plane.Weights(seen_.view, i + 0.5, j + 0.5);
-        if (options_.z == ZSource::kStored) {
-            const double d = DecodeDepth(seen_.format, seen_.depth(i, j));
-            out_.z_m(i, j) = ReconstructZ(seen_.format, seen_.range, float(d));
-        } else {
-            const double z = here.plane.PointM(b).z();
-            out_.z_m(i, j) = float(std::min(z, -options_.range.near_m));
-        }
+        out_.z_m(i, j) =
+            options_.z == ZSource::kStored ? StoredZ(i, j) : SurfaceZ(here.plane.PointM(b).z());
         out_.face_normal(i, j) = here.normal.cast<float>();
         if (scene_.mesh.normals.empty()) {
             out_.shading_normal(i, j) = out_.face_normal(i, j);
@@ -93,6 +89,18 @@ class Resolver {
         if (options_.texture_coordinates && !scene_.mesh.uvs.empty()) {
             TextureCoordinates(here, b, i, j);
         }
+    }
+
+    float SurfaceZ(double z) const { return float(std::min(z, -seen_.range.near_m)); }
+
+    // Where n / f is less than float can tell from 0, eq. 2 divides by something that rounding
+    // made 0 or of the wrong sign: that is the far plane.
+    float StoredZ(int i, int j) const {
+        const float d = float(DecodeDepth(seen_.format, seen_.depth(i, j)));
+        const float z = ReconstructZ(seen_.format, seen_.range, d);
+        const float most = std::numeric_limits<float>::max();
+        const float z_f = -float(std::min(seen_.range.far_m, double(most)));
+        return z < 0 ? std::max(z, z_f) : z_f;
     }
 
     void TextureCoordinates(const Seen& here, const Vec3& b, int i, int j) {

@@ -59,8 +59,9 @@ class FloatShader {
             clip[r] = M_(r, 0) * v.x() + M_(r, 1) * v.y() + M_(r, 2) * v.z() + M_(r, 3);
         }
         const float w = clip[3];
-        if (!(w > 0)) return {clip[0] * tan_x_, clip[1] * tan_y_, -w};
         const float x = clip[0] / w, y = clip[1] / w, e = clip[2] / w;
+        const bool divided = w > 0 && std::isfinite(x) && std::isfinite(y) && std::isfinite(e);
+        if (!divided) return {clip[0] * tan_x_, clip[1] * tan_y_, -w};
         // The depth is what a shader hands on, so it says where the point is.
         const double t = double(e) > curve_.b ? curve_.DistanceM(double(e)) : double(w);
         return {x * tan_x_ * t, y * tan_y_ * t, -t};
@@ -87,6 +88,17 @@ FixedPoint ToFixed(const PictureMap& map, const Vec3& P) {
     const double per_t = -1 / P.z();
     return {RoundToInt(kSubPixels * (map.k_x * P.x() * per_t + map.c_x)),
             RoundToInt(kSubPixels * (map.c_y - map.k_y * P.y() * per_t))};
+}
+
+FixedPoint ToFixedWithinReach(const PictureMap& map, const Vec3& P) {
+    const double per_t = -1 / P.z();
+    // The order of arguments turns NaN into a number.
+    const auto within = [](double px, int size_px) {
+        return RoundToInt(
+            kSubPixels * std::min(std::max(-double(kReachPx), px), double(size_px + kReachPx)));
+    };
+    return {within(map.k_x * P.x() * per_t + map.c_x, map.width_px),
+            within(map.c_y - map.k_y * P.y() * per_t, map.height_px)};
 }
 
 void TransformVertices(const Mesh& mesh, const Camera& camera, const View& view,

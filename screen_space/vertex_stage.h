@@ -45,6 +45,9 @@ struct FixedPoint {
 /// Where a point with t > 0 within the reach is in the picture, rounded to nearest.
 FixedPoint ToFixed(const PictureMap& map, const Vec3& P);
 
+/// The same, moved to the border of the reach if rounding of huge coordinates left it beyond.
+FixedPoint ToFixedWithinReach(const PictureMap& map, const Vec3& P);
+
 /// Where a vertex lies, as bits that can be joined over a triangle.
 namespace outcode {
 inline constexpr std::uint32_t kLeft = 1, kRight = 2, kAbove = 4,

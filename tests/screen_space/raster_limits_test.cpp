@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/random.h"
 #include "scenes/simple.h"
 #include "screen_space/draw_gbuffer.h"
 #include "tests/screen_space/flat_scenes.h"
@@ -204,6 +205,75 @@ TEST(RasterLimits, DepthOfASlantedPlane) {
             }
         }
     }
+}
+
+// Expected: by GBuffer's own words. A near plane of 1e-4 m and a far one of 1e5 m leave eq. 2 in
+// float nothing to divide by.
+TEST(RasterLimits, StoredDepthIsNeverBeforeTheCamera) {
+    const Camera camera = PixelCamera(8, 8);
+    for (const DepthFormat format : {DepthFormat::kD24, DepthFormat::kD32F}) {
+        for (const double t : {10.0, 300.0, 1000.0, 1500.0}) {
+            const GBuffer g =
+                DrawGBuffer(GreyScene(Wall(camera, t)), camera,
+                            {.depth = format, .range = {1e-4, 1e5}, .z = ZSource::kStored});
+            for (std::size_t p = 0; p < 64; ++p) {
+                ASSERT_NE(g.triangle.Pixels()[p], GBuffer::kSky) << t;
+                ASSERT_LT(g.z_m.Pixels()[p], 0) << t;
+                ASSERT_GE(g.z_m.Pixels()[p], -1e5f) << t;
+            }
+        }
+    }
+}
+
+// Triangles of every size that a mesh may have, from 1e-12 to 1e15 m, about and through the camera.
+Mesh WildTriangles(std::uint64_t seed) {
+    Mesh mesh;
+    const auto random = [&](std::uint64_t t, std::uint64_t k) {
+        return RandomUnit(seed, t, 0, k);
+    };
+    for (std::uint32_t t = 0; t < 60; ++t) {
+        const double away = std::pow(10, -3 + 15 * random(t, 0) * random(t, 1));
+        const double size = std::pow(10, -12 + 26 * random(t, 2));
+        for (std::uint64_t k = 0; k < 3; ++k) {
+            const auto axis = [&](std::uint64_t a) {
+                return 2 * random(t, 10 + 3 * k + a) - 1;
+            };
+            const auto centre = [&](std::uint64_t a) { return 2 * random(t, 3 + a) - 1; };
+            Vec3 v = away * Vec3(centre(0), centre(1), centre(2)) +
+                     std::min(size, 5e14) * Vec3(axis(0), axis(1), axis(2));
+            if (random(t, 30 + k) < 0.1) v.y() = 0;  // In the camera's plane.
+            mesh.vertices_m.push_back(v.cast<float>());
+        }
+        mesh.quads.push_back({3 * t, 3 * t + 1, 3 * t + 2, 3 * t + 2});
+    }
+    return mesh;
+}
+
+// Expected: by GBuffer's own words, whatever the input.
+TEST(RasterLimits, NothingIsNotANumber) {
+    std::int64_t drawn = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        const Camera camera = PixelCamera(70, 66);
+        const Scene scene = GreyScene(WildTriangles(seed));
+        RasterOptions options;
+        options.depth = DepthFormat(seed % 4);
+        options.vertices = seed % 8 < 4 ? VertexPath::kDouble : VertexPath::kFloat;
+        options.z = seed % 3 == 0 ? ZSource::kStored : ZSource::kSurface;
+        options.range.near_m = std::pow(10, -6 + double(seed % 7));
+        if (seed % 5 == 0) options.range.far_m = 1e4 * options.range.near_m;
+        const GBuffer g = DrawGBuffer(scene, camera, options);
+        for (std::size_t p = 0; p < g.z_m.Pixels().size(); ++p) {
+            if (g.triangle.Pixels()[p] == GBuffer::kSky) continue;
+            ++drawn;
+            ASSERT_LT(g.triangle.Pixels()[p] / 2, 60u) << seed;
+            ASSERT_TRUE(std::isfinite(g.z_m.Pixels()[p])) << seed;
+            // A step of D16 nearer, at most.
+            ASSERT_LE(g.z_m.Pixels()[p], -0.9999 * options.range.near_m) << seed;
+            ASSERT_NEAR(g.face_normal.Pixels()[p].norm(), 1, 1e-6) << seed;
+            ASSERT_NEAR(g.shading_normal.Pixels()[p].norm(), 1, 1e-6) << seed;
+        }
+    }
+    EXPECT_GT(drawn, 10000);
 }
 
 TEST(RasterLimits, ThreadsChangeNoBit) {

@@ -7,6 +7,7 @@
 
 #include "core/surface.h"
 #include "screen_space/draw_gbuffer.h"
+#include "screen_space/seen_triangle.h"
 #include "tests/screen_space/flat_scenes.h"
 #include "truth/embree_caster.h"
 #include "truth/pixels.h"
@@ -108,6 +109,22 @@ TEST(RasterTextures, WithoutTheTestTheBoardIsWhole) {
     }
     EXPECT_GT(open, 500);
     EXPECT_GT(solid, 500);
+}
+
+// Expected: a pixel that rounding gave to a triangle gets a point of the triangle, not of its plane
+// beyond it, and an edge-on triangle its middle.
+TEST(SeenTriangle, WeightsStayInTheTriangle) {
+    const View view{.width_px = 100, .height_px = 100};
+    const SeenTriangle triangle({Vec3(-1, -1, -2), Vec3(1, -1, -5), Vec3(-0.5, 1.5, -2.5)});
+    for (double y = 0; y <= 100; y += 5) {
+        for (double x = 0; x <= 100; x += 5) {
+            const Vec3 b = triangle.Weights(view, x, y);
+            EXPECT_NEAR(b.sum(), 1, 1e-15);
+            EXPECT_GE(b.minCoeff(), 0) << x << " " << y;
+        }
+    }
+    const SeenTriangle edge_on({Vec3(0, 0, -1), Vec3(1, 0, -2), Vec3(0.5, 0, -3)});
+    EXPECT_NEAR((edge_on.Weights(view, 50, 50) - Vec3::Constant(1.0 / 3)).norm(), 0, 1e-15);
 }
 
 // Expected: on the floor z = -1 with uv = (x, y) / 2 the coordinates and their derivatives by

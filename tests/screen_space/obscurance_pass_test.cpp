@@ -109,6 +109,16 @@ TEST(SampleObscurance, IsTheReferenceForEveryOption) {
             ExpectLikeTheReference(g, of, "phi " + std::to_string(int(phi)));
         }
     }
+    // A pixel is 1/77 of z wide: facing, its area is 1.7e-4 z^2; at edges and where tilted more. Discs
+    // are of 20 to 120 px.
+    for (const double steepest_area : {0.0, 4e-4}) {
+        ObscuranceOptions of = options;
+        of.steepest_area = steepest_area;
+        of.taps.min_radius_px = steepest_area > 0 ? 0 : 30;
+        of.taps.min_tap_px = 7;
+        of.sao.radius_m = steepest_area > 0 ? 2 : 2 * 30.5 / DiscRadiusPx(g.view, 2, -4.5);
+        ExpectLikeTheReference(g, of, "steepest " + std::to_string(steepest_area));
+    }
     for (const ZFilter filter : {ZFilter::kMean, ZFilter::kHarmonicMean, ZFilter::kMax}) {
         ObscuranceOptions of = options;
         of.taps.filter = filter;

@@ -15,10 +15,12 @@
 #include "jobs/ao_times.h"
 #include "jobs/error_budget.h"
 #include "jobs/pictures.h"
+#include "jobs/pyramid_study.h"
 #include "jobs/render_scene.h"
 #include "jobs/score_technique.h"
 #include "jobs/signed_picture.h"
 #include "jobs/temporal_study.h"
+#include "jobs/z_precision.h"
 #include "score/pareto.h"
 #include "screen_space/draw_gbuffer.h"
 #include "screen_space/sao_presets.h"
@@ -186,6 +188,7 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
     report.budget_technique = "sao-" + job.budget;
     report.budget = MakeErrorBudget(budget, scene, camera, caster, truth,
                                     {.guard_px = guard_px}, clock, monitor);
+    report.pyramids = StudyPyramid(in, truth, budget);
     report.sweep =
         SweepTechniques(in, truth, names, {.radius_m = job.radius_m}, clock, monitor);
     std::vector<TimedError> points;
@@ -199,6 +202,7 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
     const TemporalOptions temporal{.radius_m = job.radius_m, .seed = job.seed};
     report.temporal_frames = temporal.frames;
     report.temporal = StudyFlicker(scene, camera, caster, names, temporal, clock, monitor);
+    report.precision = StudyZPrecision(scene, {}, monitor);
     return report;
 }
 

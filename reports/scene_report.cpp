@@ -117,6 +117,12 @@ std::string ToJsonText(const SceneReport& r) {
                                        {"seconds", row.seconds},
                                        {"score", ToJson(row.score)}};
                        })}};
+    json["pyramids"] = List(r.pyramids, [](const PyramidRow& row) {
+        return Json{{"filter", row.filter},
+                    {"bias_to_none", ToJson(row.bias_to_none)},
+                    {"rms_to_none", ToJson(row.rms_to_none)},
+                    {"score", ToJson(row.against_truth)}};
+    });
     json["sweep"] = List(r.sweep, [](const SweepPoint& p) {
         return Json{{"technique", p.technique},
                     {"setting", p.setting},
@@ -150,6 +156,7 @@ std::string ToJsonText(const SceneReport& r) {
                                         {"truth_variance", ToJson(t.score.truth)},
                                         {"flicker_variance", ToJson(t.score.flicker)}};
                         })}};
+    if (r.precision) json["depth"] = plumb::ToJson(*r.precision);
     return JsonText(json);
 }
 

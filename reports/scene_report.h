@@ -8,11 +8,13 @@
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "reports/z_precision_report.h"
 #include "score/errors.h"
 #include "score/temporal.h"
 
@@ -56,6 +58,13 @@ struct BudgetRow {
     std::int64_t pixels = 0;  ///< Scored.
 };
 
+/// One way to make the z pyramid: [McGuire12] table 1.
+struct PyramidRow {
+    std::string filter;
+    Figure bias_to_none, rms_to_none;  ///< Of A before any filter, against A without a pyramid.
+    ScoreAgainst against_truth;
+};
+
 /// One setting of one technique.
 struct SweepPoint {
     std::string technique, setting;
@@ -86,7 +95,6 @@ struct TemporalRow {
     TemporalScore score;
 };
 
-/// Error of z and of normals from depth: [McGuire12] figures 3 and 4.
 struct SceneTruth {
     int spp = 0, nets = 0;
     double seconds = 0;
@@ -112,6 +120,7 @@ struct SceneReport {
     std::vector<TechniqueScore> techniques;
     std::string budget_technique;
     std::vector<BudgetRow> budget;
+    std::vector<PyramidRow> pyramids;
     std::vector<SweepPoint> sweep;
     std::string cheapest;  ///< Of the sweep: the fastest within `cheapest_within` of the least.
     double cheapest_within = 0.05;
@@ -119,6 +128,7 @@ struct SceneReport {
     std::vector<RadiusTime> radii;
     std::vector<TemporalRow> temporal;
     int temporal_frames = 0;
+    std::optional<ZPrecisionReport> precision;  ///< [McGuire12] figures 3 and 4.
 };
 
 std::string ToJsonText(const SceneReport& report);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "reports/depth_html.h"
 #include "reports/page.h"
 #include "reports/scene_report.h"
 #include "reports/text.h"
@@ -189,6 +190,31 @@ std::string PicturesHtml(const SceneReport& r) {
     return html;
 }
 
+std::string PyramidsHtml(const SceneReport& r) {
+    if (r.pyramids.empty()) return {};
+    std::vector<std::vector<Cell>> rows;
+    for (const PyramidRow& row : r.pyramids) {
+        const auto figure = [](const Figure& f) {
+            return Cell{WithError(f.value, f.standard_error), "", ""};
+        };
+        rows.push_back({Text(row.filter), figure(row.bias_to_none), figure(row.rms_to_none),
+                        figure(row.against_truth.error.bias),
+                        figure(row.against_truth.error.rmse),
+                        Number(row.against_truth.recalibrated_rmse.value)});
+    }
+    return "<h3>How the z pyramid is made</h3><p>The paper's table 1 with numbers: " +
+           Html(r.budget_technique) +
+           " before any filter, against itself without a pyramid, and against V within r "
+           "weighted by its falloff.</p>" +
+           Table({{"filter"},
+                  {"bias to none"},
+                  {"RMS to none"},
+                  {"bias"},
+                  {"RMSE"},
+                  {"recalibrated RMSE"}},
+                 rows);
+}
+
 std::string BudgetHtml(const SceneReport& r) {
     std::vector<std::vector<Cell>> rows;
     std::vector<WaterfallStep> steps;
@@ -219,7 +245,8 @@ std::string BudgetHtml(const SceneReport& r) {
                   {"recalibrated RMSE"},
                   {"moves"},
                   {"time [ms]"}},
-                 rows);
+                 rows) +
+           PyramidsHtml(r);
 }
 
 std::string SweepHtml(const SceneReport& r, PlotSheet& sheet) {
@@ -390,6 +417,9 @@ std::string ToHtml(const SceneReport& r) {
     if (!r.sweep.empty())
         page.AddSection("sweep", "Error against run time", SweepHtml(r, sheet));
     if (!r.times.empty()) page.AddSection("times", "Time", TimesHtml(r, sheet));
+    if (r.precision) {
+        page.AddSection("depth", "What the depth buffer keeps", DepthHtml(*r.precision, sheet));
+    }
     if (!r.temporal.empty()) page.AddSection("flicker", "Flicker", FlickerHtml(r));
     page.AddSection("again", "How to make this again", AgainHtml(r));
     return page.Text();

@@ -168,6 +168,29 @@ TEST(RasterCoverage, AMillionSliversLeaveNoCrack) {
                         camera);
 }
 
+// Fans from one side of the picture far out of the other: their edges are the longest that fixed
+// point must hold, or are cut, one side at a time.
+TEST(RasterCoverage, FansToEachSideLeaveNoCrack) {
+    const Camera camera = PixelCamera(150, 150);
+    for (const double far_px : {8000.0, 20000.0, 200000.0}) {
+        for (int side = 0; side < 4; ++side) {
+            const auto turned = [&](double x, double y) {
+                const double c = side % 2 == 0 ? 1 - side : 0, s = side % 2 == 0 ? 0 : 2 - side;
+                return AtPixel(camera, 75.3 + c * x - s * y, 75.2 + s * x + c * y);
+            };
+            std::vector<Vec3f> fan{turned(-900, 0)};
+            for (int k = 0; k <= 40; ++k) {
+                fan.push_back(turned(far_px, (k - 20) * (far_px + 900) / 90));
+            }
+            ExpectEachPixelOnce(Triangles(fan, 40,
+                                          [](std::uint32_t t) {
+                                              return std::array{0u, t + 1, t + 2};
+                                          }),
+                                camera);
+        }
+    }
+}
+
 // The same where triangles are cut at the near plane and at the reach of fixed point: a fan that
 // stretches far beyond both, in the plane of a floor.
 TEST(RasterCoverage, CutTrianglesLeaveNoCrack) {

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # plumb.sh: installs what is missing, builds, and runs plumb. One script from a bare Debian 12.
 #
-#   ./plumb.sh demo             constants refitted to the maps in data/heightmaps, with a report
+#   ./plumb.sh demo             constants refitted to the maps in data/heightmaps, and the report
+#                               of a scene
 #   ./plumb.sh test [PRESET]    every test (PRESET: release, debug or sanitize)
-#   ./plumb.sh SUBCOMMAND ...   any subcommand of plumb: fit, simulate, bench ...; --help teaches
+#   ./plumb.sh SUBCOMMAND ...   any subcommand of plumb: fit, report, truth ...; --help teaches
 #   ./plumb.sh build [PRESET]   only build
 #
 # A second call with nothing changed starts at once. PLUMB_JOBS=N builds with N processes.
@@ -62,7 +63,8 @@ demo() {
   build/release/app/plumb fit data/heightmaps/{stone_wall,bricks,cobbles,jacksboro,finland}.png \
     make:gravel:128 make:hex_tiles:128 make:shapes:128 make:terrain:128 \
     --slices 16 --starts 4 --bootstrap 20 --out out/demo
-  say "open out/demo/report.html in a browser; the shader headers are beside it"
+  build/release/app/plumb report atrium --spp 128 --rounds 3 --out out/demo/atrium
+  say "open out/demo/report.html and out/demo/atrium/report.html in a browser"
 }
 
 tests() {
@@ -77,7 +79,7 @@ case "${1:-help}" in
   demo) demo ;;
   test) tests "${2:-release}" ;;
   build) build "${2:-release}" all ;;
-  help | -h | --help) sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  help | -h | --help) sed -n '2,11s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)
     from=$PWD
     build release plumb

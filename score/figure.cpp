@@ -19,8 +19,6 @@ Tiling::Tiling(int width, int height, int tile)
 
 namespace {
 
-constexpr double kLeastForPairs = 36;  // Effective tiles: 4 degrees of freedom.
-
 struct PairSums {
     double own = 0;      ///< Of each tile with itself.
     double flat = 0;     ///< With its neighbours, all alike.
@@ -74,17 +72,16 @@ Figure RatioOverTiles(const Tiling& tiling, const std::vector<double>& y,
     for (std::size_t b = 0; b < y.size(); ++b) z[b] = (y[b] - figure.value * double(n[b])) / N;
     const PairSums sums = SumsOfPairs(tiling, z, n);
     const double effective = N * N / n2;
-    double dof, squares;
-    if (effective < kLeastForPairs) {
-        // With one tile that outweighs all others there is no scatter to speak of.
-        dof = std::max(effective - 1, 0.1);
+    double dof = effective * B / sums.pairs - 1;
+    double squares = std::max(sums.flat, sums.tapered) * B * B / (B * B - sums.pairs);
+    if (sums.pairs > B * B / 2) {  // Nearly every tile is every other's neighbour.
+        dof = effective - 1;
         squares = sums.own * B / (B - 1);
-    } else {
-        dof = effective / 9;
-        squares = std::max(sums.flat, sums.tapered) * B * B / (B * B - sums.pairs);
     }
     figure.standard_error = std::sqrt(squares);
-    const double half = StudentQuantile(0.5 + confidence / 2, dof) * figure.standard_error;
+    // With one tile that outweighs all others there is no scatter to speak of.
+    const double half =
+        StudentQuantile(0.5 + confidence / 2, std::max(dof, 0.1)) * figure.standard_error;
     figure.interval = {figure.value - half, figure.value + half};
     return figure;
 }

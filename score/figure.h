@@ -4,17 +4,21 @@
 //       z_b  = (y_b - R n_b) / N                        what tile b adds to R - E[R]
 //       se^2 = B^2 / (B^2 - P)  Sum_b Sum_b' z_b z_b'
 //              over the P pairs of a tile with itself and its eight neighbours
-//       interval R +- t se,   t of 1/9 B_e degrees of freedom,   B_e = N^2 / Sum_b n_b^2
+//       interval R +- t se,   t of B_e B / P - 1 degrees of freedom,   B_e = N^2 / Sum_b n_b^2
 //
 // Neighbouring pixels err alike, so that a million pixels are not a million samples: their own
 // scatter gives errors far too small. Tiles are nearly independent of all tiles but their
 // neighbours, with which they share the errors that lie across a border; those pairs are
 // counted in. The factor in front makes good for R being fitted to the same tiles (Sum z = 0).
 // Nothing is drawn, so that every run gives the same interval. B_e is the effective number of
-// tiles where a mask leaves them unequal. Below 36 of them there are too few pairs to learn
-// from: then a tile is taken with itself alone (P = B), with B_e - 1 degrees of freedom. The
-// sum of pairs may come out too small, even negative: where the one with weights 1, 1/2 and
-// 1/4 for a tile, its neighbours and its corners is greater, which cannot be, that one stands.
+// tiles where a mask leaves them unequal. The sum of pairs may come out too small, even
+// negative: where the one with weights 1, 1/2 and 1/4 for a tile, its neighbours and its
+// corners is greater, which cannot be, that one stands. Where more than half of all pairs are
+// neighbours (3 x 3 tiles), a tile is taken with itself alone: P = B, t of B_e - 1.
+//
+// A 95 % interval held the truth in 95 to 97 % of simulated pictures of 256 tiles, in 94 to
+// 99 % where a mask left 32 to 128 of them, with errors alike over up to a tile; over one and
+// a half, in 92 to 97 % (tests/score/coverage_test.cpp and others like it).
 //
 // Source   z_b: the linearized ratio, [Kish65] L. Kish, Survey Sampling, 1965, whose is B_e
 //          too; neighbours counted in: [Conley99] T. Conley, GMM Estimation with Cross

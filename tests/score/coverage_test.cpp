@@ -53,6 +53,23 @@ TEST(Coverage, OfBiasMaeAndMse) {
     EXPECT_EQ(psnr_held, mse_held);
 }
 
+// A mask that leaves two rows of tiles, 32 of 256, and errors alike over 6 pixels, a whole tile:
+// few tiles, much in common. The interval may be too long here, not too short: 95 to 98 %.
+TEST(Coverage, OfAStrip) {
+    Mask strip(kSize, kSize, 0);
+    for (int j = 0; j < 12; ++j)
+        for (int i = 0; i < kSize; ++i) strip(i, j) = 1;
+    const Image<float> truth(kSize, kSize, 0.0f);
+    int held = 0;
+    constexpr int kStrips = 1000;
+    for (int run = 0; run < kStrips; ++run) {
+        const auto noise = CorrelatedNoise(kSize, kSize, 6, 12, run);
+        held += Holds(ScoreErrors(noise, truth, {}, strip).bias, 0);
+    }
+    EXPECT_GT(held, 0.94 * kStrips);
+    EXPECT_LT(held, 0.99 * kStrips);
+}
+
 // Expected: tiles of a pixel see but its neighbours, and give a far too short interval where
 // errors are alike over 9 pixels, so that the test above has something to tell. Of the
 // variance of a mean they see, in each dimension, the correlations 1 + 2 8/9 of their sum 9,

@@ -79,6 +79,15 @@ constexpr double SobolOwen(std::uint32_t index, std::uint32_t dimension, std::ui
     return SobolOwenBits(index, dimension, seed) * 0x1p-32;
 }
 
+/// Key of a dimension below kSobolDimensions: the digits of a point, which all nets share,
+/// scrambled with it are that coordinate of the net `seed`.
+constexpr std::uint64_t SobolOwenKey(std::uint32_t dimension, std::uint64_t seed) {
+    return Absorb(Absorb(0, seed), dimension);
+}
+constexpr double ScrambleReversed(std::uint32_t digits_of_sobol_reversed, std::uint64_t key) {
+    return ReverseBits(NestedHash(digits_of_sobol_reversed, key)) * 0x1p-32;
+}
+
 /// Dimensions 2 pair and 2 pair + 1 of point `index`.
 inline Vec2 SobolOwenPair(std::uint32_t index, std::uint32_t pair, std::uint64_t seed) {
     return {SobolOwen(index, 2 * pair, seed), SobolOwen(index, 2 * pair + 1, seed)};

@@ -279,13 +279,14 @@ void EmbreeCaster::AnyFromPoint(const Ray& common, std::span<const Vec3f> direct
 }
 
 struct EmbreeBareLoop::Rays {
-    std::vector<RTCRay> rays;
+    std::vector<RTCRay> rays, work;
 };
 
 EmbreeBareLoop::EmbreeBareLoop(const EmbreeCaster& caster, std::span<const Ray> rays)
     : caster_(caster), rays_(std::make_unique<Rays>()) {
     rays_->rays.reserve(rays.size());
     for (const Ray& ray : rays) rays_->rays.push_back(EmbreeRay(ray));
+    Refill();
 }
 
 EmbreeBareLoop::~EmbreeBareLoop() = default;
@@ -316,14 +317,19 @@ std::int64_t EmbreeBareLoop::Any(std::size_t begin, std::size_t end) const {
     return met;
 }
 
-std::int64_t EmbreeBareLoop::AnyStream(std::size_t begin, std::size_t end) const {
+std::int64_t EmbreeBareLoop::AnyStream(std::size_t begin, std::size_t end, std::size_t stream) {
     const DenormalsOff denormals_off;
     RTCIntersectContext context = NewContext();
-    std::vector<RTCRay> rays(rays_->rays.begin() + std::ptrdiff_t(begin),
-                             rays_->rays.begin() + std::ptrdiff_t(end));
-    rtcOccluded1M(caster_.tree_->scene, &context, rays.data(), unsigned(rays.size()),
-                  sizeof(RTCRay));
-    return std::ranges::count_if(rays, WasMet);
+    RTCRay* const rays = rays_->work.data();
+    for (std::size_t i = begin; i < end; i += stream) {
+        rtcOccluded1M(caster_.tree_->scene, &context, rays + i,
+                      unsigned(std::min(stream, end - i)), sizeof(RTCRay));
+    }
+    return std::count_if(rays + begin, rays + end, WasMet);
+}
+
+void EmbreeBareLoop::Refill() {
+    rays_->work = rays_->rays;
 }
 
 }  // namespace plumb

@@ -59,8 +59,10 @@ class EmbreeBareLoop {
     std::int64_t Closest(std::size_t begin, std::size_t end) const;
     std::int64_t Any(std::size_t begin, std::size_t end) const;
 
-    /// The same by rtcOccluded1M over all of [begin, end) at once.
-    std::int64_t AnyStream(std::size_t begin, std::size_t end) const;
+    /// The same by rtcOccluded1M, `stream` rays at once. Embree writes into the rays: Refill()
+    /// makes those of all ready again.
+    std::int64_t AnyStream(std::size_t begin, std::size_t end, std::size_t stream = 256);
+    void Refill();
 
   private:
     struct Rays;

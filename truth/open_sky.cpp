@@ -1,5 +1,6 @@
 #include "truth/open_sky.h"
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <mutex>
@@ -8,6 +9,7 @@
 #include "core/parallel.h"
 #include "core/sobol.h"
 #include "core/warp.h"
+#include "truth/cosine_directions.h"
 #include "truth/leave_surface.h"
 
 namespace plumb {
@@ -19,7 +21,14 @@ constexpr std::int64_t kReceiversPerChunk = 16;
 class Counter {
   public:
     Counter(const RayCaster& caster, const Mesh& mesh, const OpenSkyOptions& options)
-        : caster_(caster), mesh_(mesh), options_(options) {}
+        : caster_(caster), mesh_(mesh), options_(options) {
+        static_assert(2 * kFirstDirection + 1 < kSobolDimensions);
+        for (std::int64_t s = 0; s < options.sampling.points; ++s) {
+            const std::uint32_t index = std::uint32_t(options.sampling.first + s);
+            digits_.push_back({SobolReversed(index, 2 * kFirstDirection),
+                               SobolReversed(index, 2 * kFirstDirection + 1)});
+        }
+    }
 
     void Count(const Receiver& receiver, std::int64_t number, std::span<std::uint32_t> open) {
         const NetSampling& sampling = options_.sampling;
@@ -30,20 +39,15 @@ class Counter {
         if (receiver.spread) rays_.resize(directions_.size());
         Ray start;
         if (!receiver.spread) start = Start(triangle, receiver, frame, Vec2::Zero());
-        std::size_t next = 0;
-        for (int r = 0; r < int(open.size()); ++r) {
-            const std::uint64_t net = NetSeed(sampling.seed, number, r);
-            for (std::size_t s = 0; s < n; ++s, ++next) {
+        for (std::size_t r = 0; r < open.size(); ++r) {
+            const std::uint64_t net = NetSeed(sampling.seed, number, int(r));
+            MakeDirections(net, frame, std::span(directions_).subspan(r * n, n));
+            if (!receiver.spread) continue;
+            for (std::size_t s = 0; s < n; ++s) {
                 const std::uint32_t index = std::uint32_t(sampling.first + std::int64_t(s));
-                const Vec2 u = SobolOwenPair(index, kFirstDirection, net);
-                const Vec3 w = options_.weighting == HemisphereWeight::kCosine
-                                   ? SampleCosineHemisphere(u)
-                                   : SampleUniformHemisphere(u);
-                directions_[next] = frame.ToWorld(w).cast<float>();
-                if (!receiver.spread) continue;
-                rays_[next] =
-                    Start(triangle, receiver, frame, SobolOwenPair(index, kPlace, net));
-                rays_[next].direction = directions_[next];
+                Ray& ray = rays_[r * n + s];
+                ray = Start(triangle, receiver, frame, SobolOwenPair(index, kPlace, net));
+                ray.direction = directions_[r * n + s];
             }
         }
         met_.resize(BitWords(directions_.size()));
@@ -52,14 +56,13 @@ class Counter {
         } else {
             caster_.AnyFromPoint(start, directions_, met_);
         }
-        for (std::size_t i = 0; i < directions_.size(); ++i) {
-            if ((met_[i / 64] >> (i % 64)) & 1) continue;
-            if (!directions_[i].allFinite()) {
-                ++lost_.not_a_number;
-            } else if (!LeadsToSky(options_.sky, directions_[i].z())) {
-                ++lost_.not_sky;
-            } else {
-                ++open[i / n];
+        const bool all_finite = frame.s.allFinite() && frame.n.allFinite();
+        const bool sky_everywhere = all_finite && options_.sky == Sky::kAllAround;
+        std::size_t i = 0;
+        for (std::uint32_t& of_net : open) {
+            for (std::size_t s = 0; s < n; ++s, ++i) {
+                const bool met = (met_[i / 64] >> (i % 64)) & 1;
+                of_net += !met && (sky_everywhere || IsSky(directions_[i]));
             }
         }
     }
@@ -67,6 +70,32 @@ class Counter {
     const Lost& GetLost() const { return lost_; }
 
   private:
+    void MakeDirections(std::uint64_t net, const Basis& frame, std::span<Vec3f> out) const {
+        if (options_.weighting == HemisphereWeight::kCosine) {
+            CosineDirections(digits_, net, kFirstDirection, frame, out);
+            return;
+        }
+        const std::uint64_t key_0 = SobolOwenKey(2 * kFirstDirection, net);
+        const std::uint64_t key_1 = SobolOwenKey(2 * kFirstDirection + 1, net);
+        for (std::size_t s = 0; s < out.size(); ++s) {
+            // SobolOwenPair(index, kFirstDirection, net), with what nets share made once.
+            const Vec2 u(ScrambleReversed(digits_[s][0], key_0),
+                         ScrambleReversed(digits_[s][1], key_1));
+            out[s] = frame.ToWorld(SampleUniformHemisphere(u)).cast<float>();
+        }
+    }
+
+    // Of a direction in which nothing is met; counts what is lost.
+    bool IsSky(const Vec3f& direction) {
+        if (!direction.allFinite()) {
+            ++lost_.not_a_number;
+            return false;
+        }
+        const bool sky = LeadsToSky(options_.sky, direction.z());
+        lost_.not_sky += !sky;
+        return sky;
+    }
+
     Ray Start(const Triangle& triangle, const Receiver& receiver, const Basis& frame,
               const Vec2& u) const {
         const Vec2 b = receiver.Place(u);
@@ -78,6 +107,7 @@ class Counter {
     const RayCaster& caster_;
     const Mesh& mesh_;
     const OpenSkyOptions& options_;
+    std::vector<std::array<std::uint32_t, 2>> digits_;  // Of each point, before scrambling.
     std::vector<Vec3f> directions_;
     std::vector<Ray> rays_;
     std::vector<std::uint64_t> met_;

@@ -282,5 +282,16 @@ TEST(Sobol, StudentIntervalsOverReplicatesCoverAsOftenAsTheySay) {
     EXPECT_GE(rate.high, 0.95);
 }
 
+// Definition: the two ways to a coordinate are one.
+TEST(Sobol, DigitsMayBeMadeOnceForManyNets) {
+    for (std::uint32_t index : {0u, 1u, 77u, 0xfffffffeu}) {
+        for (std::uint32_t dimension : {0u, 1u, 63u}) {
+            EXPECT_EQ(ScrambleReversed(SobolReversed(index, dimension),
+                                       SobolOwenKey(dimension, 1234567)),
+                      SobolOwen(index, dimension, 1234567));
+        }
+    }
+}
+
 }  // namespace
 }  // namespace plumb

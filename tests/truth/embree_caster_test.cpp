@@ -134,7 +134,7 @@ TEST(EmbreeCaster, AnyAndClosestAgree) {
     EXPECT_LT(met, 900);
     EXPECT_EQ(any.back() >> (rays.size() % 64), 0u);  // Bits beyond the last ray.
 
-    const EmbreeBareLoop bare(caster, rays);
+    EmbreeBareLoop bare(caster, rays);
     EXPECT_EQ(bare.Closest(0, rays.size()), met);
     EXPECT_EQ(bare.Any(0, rays.size()), met);
     EXPECT_EQ(bare.AnyStream(0, rays.size()), met);

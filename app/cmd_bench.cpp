@@ -64,6 +64,7 @@ void AddBench(CLI::App& program) {
     AddCommon(*light, o->common);
     light->callback([o] { Run(*o); });
     AddBenchRaster(*bench);
+    AddBenchTruth(*bench);
 }
 
 }  // namespace plumb::app

@@ -42,5 +42,6 @@ void AddRender(CLI::App& program);
 void AddReport(CLI::App& program);
 void AddBench(CLI::App& program);
 void AddBenchRaster(CLI::App& bench);
+void AddBenchTruth(CLI::App& bench);
 
 }  // namespace plumb::app

@@ -119,4 +119,8 @@ void WriteBenchResults(const std::filesystem::path& folder, const RasterBench& b
     WriteWholeFile(folder / "bench_raster.json", ToJsonText(bench));
 }
 
+void WriteBenchResults(const std::filesystem::path& folder, const TruthBench& bench) {
+    WriteWholeFile(folder / "bench_truth.json", ToJsonText(bench));
+}
+
 }  // namespace plumb

@@ -13,6 +13,7 @@
 #include "reports/fit_report.h"
 #include "reports/raster_bench_report.h"
 #include "reports/simulate_report.h"
+#include "reports/truth_bench_report.h"
 
 namespace plumb {
 
@@ -33,9 +34,10 @@ void WriteCurveResults(const std::filesystem::path& folder, const FitReport& rep
 std::filesystem::path WriteSimulateResults(const std::filesystem::path& folder,
                                            const SimulateReport& report);
 
-/// bench_light.json, bench_raster.json.
+/// bench_light.json, bench_raster.json, bench_truth.json.
 void WriteBenchResults(const std::filesystem::path& folder, const LightBench& bench);
 void WriteBenchResults(const std::filesystem::path& folder, const RasterBench& bench);
+void WriteBenchResults(const std::filesystem::path& folder, const TruthBench& bench);
 
 /// Maps of the light, one pixel a cell (the mean of its two facets): light.exr with the
 /// channels height_m, alpha, V, E_0 ... E_K and E(rho) of each albedo.

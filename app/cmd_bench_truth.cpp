@@ -1,0 +1,66 @@
+// plumb bench truth: the path tracer beside bare Embree, a furnace and independent sampling.
+//
+// Options -> struct -> call -> print.
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "app/command.h"
+#include "jobs/bench_truth.h"
+#include "jobs/write_results.h"
+
+namespace plumb::app {
+namespace {
+
+struct Options {
+    std::string scene = "atrium";
+    TruthBenchSettings settings;
+    Common common;
+};
+
+void Run(const Options& o) {
+    const auto monitor = MakeMonitor(o.common);
+    const TruthBench bench = BenchTruth(LoadScene(o.scene), o.settings, NowS, *monitor);
+    WriteBenchResults(o.common.out, bench);
+    if (o.common.json) {
+        std::cout << ToJsonText(bench);
+    } else if (!o.common.quiet) {
+        WriteTable(std::cout, bench);
+    }
+}
+
+}  // namespace
+
+void AddBenchTruth(CLI::App& bench) {
+    auto o = std::make_shared<Options>();
+    CLI::App* truth = bench.add_subcommand(
+        "truth",
+        "The path tracer: V of a view beside bare Embree calls over the same rays on 1 and 2\n"
+        "threads, a furnace on a noisy field, error of V against rays. Writes\n"
+        "bench_truth.json to the folder --out.");
+    truth->add_option("scene", o->scene, "scene.json, or make:KIND")->capture_default_str();
+    truth->add_option("--width", o->settings.width_px, "Width of the view [pixels]")
+        ->check(CLI::Range(1, 65536))
+        ->capture_default_str();
+    truth->add_option("--height", o->settings.height_px, "Height of the view [pixels]")
+        ->check(CLI::Range(1, 65536))
+        ->capture_default_str();
+    truth
+        ->add_option("--rows", o->settings.pixel_rows,
+                     "Rows of pixels that are timed, evenly spread: each costs 3 KiB a pixel")
+        ->check(CLI::Range(1, 65536))
+        ->capture_default_str();
+    truth
+        ->add_option("--rounds", o->settings.rounds, "Rounds of each comparison; medians count")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    truth
+        ->add_option("--paths", o->settings.furnace_paths,
+                     "Paths of the furnace; 100000000 takes minutes")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40))
+        ->capture_default_str();
+    AddCommon(*truth, o->common);
+    truth->callback([o] { Run(*o); });
+}
+
+}  // namespace plumb::app

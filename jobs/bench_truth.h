@@ -1,0 +1,26 @@
+// The speed and the certainty of the path tracer, in one run.
+#pragma once
+
+#include <vector>
+
+#include "core/monitor.h"
+#include "jobs/load_scene.h"
+#include "jobs/simulate_surface.h"
+#include "reports/truth_bench_report.h"
+
+namespace plumb {
+
+struct TruthBenchSettings {
+    std::string camera;                      ///< Empty = the scene's first.
+    int width_px = 960, height_px = 540;     ///< [1, 65536]
+    int pixel_rows = 68;                     ///< Of the picture, evenly spread. [1, height]
+    std::vector<int> threads = {1, 2};       ///< Each >= 1.
+    int rounds = 5;                          ///< After one that warms up. [1, ...)
+    std::int64_t furnace_paths = 1'000'000;  ///< Rounded up to whole batches. [1, ...)
+    std::int64_t reference_rays = 131'072;   ///< A receiver. A power of two >= 64.
+};
+
+TruthBench BenchTruth(const LoadedScene& loaded, const TruthBenchSettings& settings,
+                      const Clock& clock, Monitor& monitor = SilentMonitor());
+
+}  // namespace plumb

@@ -16,7 +16,7 @@
 // corners is greater, which cannot be, that one stands. Where more than half of all pairs are
 // neighbours (3 x 3 tiles), a tile is taken with itself alone: P = B, t of B_e - 1.
 //
-// A 95 % interval held the truth in 95 to 97 % of simulated pictures of 256 tiles, in 94 to
+// A 95 % interval held the truth in 94 to 97 % of simulated pictures of 256 tiles, in 94 to
 // 99 % where a mask left 32 to 128 of them, with errors alike over up to a tile; over one and
 // a half, in 92 to 97 % (tests/score/coverage_test.cpp and others like it).
 //

@@ -1,38 +1,33 @@
-// An image of one number a pixel, rows in chunks on all cores.
+// An image of one number a pixel, tile by tile on all cores.
 #pragma once
 
-#include <cstdint>
-
 #include "core/image.h"
-#include "core/parallel.h"
+#include "screen_space/pixel_rect.h"
 #include "screen_space/slice_march.h"
-#include "screen_space/slice_rows.h"
+#include "screen_space/slice_tile.h"
 
 namespace plumb {
 
-/// rows(task, first, last, A) for all rows of the drawn picture.
-template <class Rows>
-Image<float> EveryRow(const GBuffer& gbuffer, const SliceSampling& sampling, const Rows& rows) {
-    Image<float> A(gbuffer.z_m.Width(), gbuffer.z_m.Height());
+/// of_tile(task, tile, A) for all tiles of `where`; 1 elsewhere.
+template <class OfTile>
+Image<float> EveryTile(const GBuffer& gbuffer, const SliceSampling& sampling,
+                       const PixelRect& where, const OfTile& of_tile) {
+    Image<float> A(gbuffer.z_m.Width(), gbuffer.z_m.Height(), 1.0f);
     const SliceTask task(gbuffer, sampling);
-    constexpr std::int64_t kRows = 8;
-    ParallelFor(A.Height(), kRows, [&](std::int64_t begin, std::int64_t end) {
-        rows(task, int(begin), int(end), A);
-    });
+    ForEachTile(where, [&](const PixelRect& tile) { of_tile(task, tile, A); });
     return A;
 }
 
-/// of_pixel(march, x, y) for every pixel, one at a time.
+/// of_pixel(march, x, y) for every pixel of `where`, one at a time; 1 elsewhere.
 template <class OfPixel>
 Image<float> EveryPixel(const GBuffer& gbuffer, const SliceSampling& sampling,
-                        const OfPixel& of_pixel) {
-    Image<float> A(gbuffer.z_m.Width(), gbuffer.z_m.Height());
+                        const PixelRect& where, const OfPixel& of_pixel) {
+    Image<float> A(gbuffer.z_m.Width(), gbuffer.z_m.Height(), 1.0f);
     const SliceMarch start(gbuffer, sampling);
-    constexpr std::int64_t kRows = 4;
-    ParallelFor(A.Height(), kRows, [&](std::int64_t begin, std::int64_t end) {
+    ForEachTile(where, [&](const PixelRect& tile) {
         SliceMarch march = start;
-        for (int y = int(begin); y < int(end); ++y) {
-            for (int x = 0; x < A.Width(); ++x) A(x, y) = float(of_pixel(march, x, y));
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            for (int x = tile.x0; x < tile.x1; ++x) A(x, y) = float(of_pixel(march, x, y));
         }
     });
     return A;

@@ -66,11 +66,15 @@ double GtaoOfPixel(const GBuffer& gbuffer, const GtaoOptions& options, int x, in
 }
 
 Image<float> Gtao(const GBuffer& gbuffer, const GtaoOptions& options) {
+    return Gtao(gbuffer, options, Drawn(gbuffer.view));
+}
+
+Image<float> Gtao(const GBuffer& gbuffer, const GtaoOptions& options, const PixelRect& where) {
     Validate(options);
-    return EveryRow(gbuffer, options.sampling,
-                    [&](const SliceTask& task, int first, int last, Image<float>& A) {
-                        GtaoRows(task, options, first, last, A);
-                    });
+    return EveryTile(gbuffer, options.sampling, where,
+                     [&](const SliceTask& task, const PixelRect& tile, Image<float>& A) {
+                         GtaoTile(task, options, tile, A);
+                     });
 }
 
 }  // namespace plumb

@@ -27,6 +27,7 @@
 
 #include "core/image.h"
 #include "screen_space/gbuffer.h"
+#include "screen_space/pixel_rect.h"
 #include "screen_space/slice_march.h"
 
 namespace plumb {
@@ -46,5 +47,8 @@ double GtaoOfPixel(const GBuffer& gbuffer, const GtaoOptions& options, int x, in
 
 /// A of the drawn size, in float and with SIMD.
 Image<float> Gtao(const GBuffer& gbuffer, const GtaoOptions& options = {});
+
+/// The same within `where` (screen_space/pixel_rect.h: what is shown, for example); 1 elsewhere.
+Image<float> Gtao(const GBuffer& gbuffer, const GtaoOptions& options, const PixelRect& where);
 
 }  // namespace plumb

@@ -59,11 +59,15 @@ double HbaoOfPixel(const GBuffer& gbuffer, const HbaoOptions& options, int x, in
 }
 
 Image<float> Hbao(const GBuffer& gbuffer, const HbaoOptions& options) {
+    return Hbao(gbuffer, options, Drawn(gbuffer.view));
+}
+
+Image<float> Hbao(const GBuffer& gbuffer, const HbaoOptions& options, const PixelRect& where) {
     Validate(options);
-    return EveryRow(gbuffer, options.sampling,
-                    [&](const SliceTask& task, int first, int last, Image<float>& A) {
-                        HbaoRows(task, options, first, last, A);
-                    });
+    return EveryTile(gbuffer, options.sampling, where,
+                     [&](const SliceTask& task, const PixelRect& tile, Image<float>& A) {
+                         HbaoTile(task, options, tile, A);
+                     });
 }
 
 }  // namespace plumb

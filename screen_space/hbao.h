@@ -23,6 +23,7 @@
 
 #include "core/image.h"
 #include "screen_space/gbuffer.h"
+#include "screen_space/pixel_rect.h"
 #include "screen_space/slice_march.h"
 
 namespace plumb {
@@ -43,5 +44,8 @@ double HbaoOfPixel(const GBuffer& gbuffer, const HbaoOptions& options, int x, in
 
 /// A of the drawn size, in float and with SIMD.
 Image<float> Hbao(const GBuffer& gbuffer, const HbaoOptions& options = {});
+
+/// The same within `where` (screen_space/pixel_rect.h: what is shown, for example); 1 elsewhere.
+Image<float> Hbao(const GBuffer& gbuffer, const HbaoOptions& options, const PixelRect& where);
 
 }  // namespace plumb

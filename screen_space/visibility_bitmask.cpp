@@ -99,14 +99,19 @@ double VisibilityBitmaskOfPixel(const GBuffer& gbuffer, const BitmaskOptions& op
 }
 
 Image<float> VisibilityBitmask(const GBuffer& gbuffer, const BitmaskOptions& options) {
+    return VisibilityBitmask(gbuffer, options, Drawn(gbuffer.view));
+}
+
+Image<float> VisibilityBitmask(const GBuffer& gbuffer, const BitmaskOptions& options,
+                               const PixelRect& where) {
     Validate(options);
-    if (options.sectors <= kSectorsOfRows) {
-        return EveryRow(gbuffer, options.sampling,
-                        [&](const SliceTask& task, int first, int last, Image<float>& A) {
-                            BitmaskRows(task, options, first, last, A);
-                        });
+    if (options.sectors <= kSectorsOfTile) {
+        return EveryTile(gbuffer, options.sampling, where,
+                         [&](const SliceTask& task, const PixelRect& tile, Image<float>& A) {
+                             BitmaskTile(task, options, tile, A);
+                         });
     }
-    return EveryPixel(gbuffer, options.sampling, [&](SliceMarch& march, int x, int y) {
+    return EveryPixel(gbuffer, options.sampling, where, [&](SliceMarch& march, int x, int y) {
         return Visibility(march, options, x, y);
     });
 }

@@ -35,6 +35,7 @@
 
 #include "core/image.h"
 #include "screen_space/gbuffer.h"
+#include "screen_space/pixel_rect.h"
 #include "screen_space/slice_march.h"
 
 namespace plumb {
@@ -67,5 +68,9 @@ double VisibilityBitmaskOfPixel(const GBuffer& gbuffer, const BitmaskOptions& op
 
 /// A of the drawn size, in float and with SIMD.
 Image<float> VisibilityBitmask(const GBuffer& gbuffer, const BitmaskOptions& options = {});
+
+/// The same within `where` (screen_space/pixel_rect.h: what is shown, for example); 1 elsewhere.
+Image<float> VisibilityBitmask(const GBuffer& gbuffer, const BitmaskOptions& options,
+                               const PixelRect& where);
 
 }  // namespace plumb

@@ -6,6 +6,8 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -92,6 +94,24 @@ TEST(Peers, SameBitsOnEveryKindOfMachine) {
     }
     hwy::SetSupportedTargetsForTest(0);
     EXPECT_GE(kinds, 1);
+}
+
+// A part of the picture is that part of the whole picture; elsewhere nothing is computed.
+TEST(Peers, ComputeThePartAskedFor) {
+    const GBuffer g = Mixed(50);
+    const PixelRect where{11, 7, 40, 33};
+    const SliceSampling s{.radius_m = 2};
+    const BitmaskOptions fine{.sampling = s, .sectors = 64};
+    const std::pair<Image<float>, Image<float>> wholes_and_parts[] = {
+        {Hbao(g, {.sampling = s}), Hbao(g, {.sampling = s}, where)},
+        {Gtao(g, {.sampling = s}), Gtao(g, {.sampling = s}, where)},
+        {VisibilityBitmask(g, {.sampling = s}), VisibilityBitmask(g, {.sampling = s}, where)},
+        {VisibilityBitmask(g, fine), VisibilityBitmask(g, fine, where)}};
+    for (const auto& [whole, part] : wholes_and_parts) {
+        for (int j = 0; j < 50; ++j)
+            for (int i = 0; i < 50; ++i)
+                EXPECT_EQ(part(i, j), where.Contains(i, j) ? whole(i, j) : 1) << i << ' ' << j;
+    }
 }
 
 TEST(Peers, SkyIsOne) {

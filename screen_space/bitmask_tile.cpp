@@ -3,10 +3,10 @@
 #include <limits>
 #include <numbers>
 
-#include "screen_space/slice_rows.h"
+#include "screen_space/slice_tile.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "screen_space/bitmask_rows.cpp"
+#define HWY_TARGET_INCLUDE "screen_space/bitmask_tile.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -28,7 +28,7 @@ inline U FirstSectors(I count) {
     return hn::IfThenElse(hn::RebindMask(du, all), hn::Set(du, ~0u), some);
 }
 
-void Bitmask(const SliceTask& task, const BitmaskOptions& options, int first, int last,
+void Bitmask(const SliceTask& task, const BitmaskOptions& options, const PixelRect& where,
              Image<float>& A) {
     const Ints di;
     const Bits du;
@@ -38,7 +38,7 @@ void Bitmask(const SliceTask& task, const BitmaskOptions& options, int first, in
     const F thickness = Set(endless ? 0 : float(options.thickness_m));
     const F S = Set(float(options.sectors));
     const I sectors = hn::Set(di, options.sectors);
-    EachBlock(task, first, last, A, [&](const Block& b, F cos_0, F sin_0) {
+    EachBlock(task, where, A, [&](const Block& b, F cos_0, F sin_0) {
         F sum = Zero(), weights = Zero();
         for (int k = 0; k < task.sampling.slices; ++k) {
             const LaneSlice slice = SliceOf(task, b, cos_0, sin_0, k);
@@ -106,9 +106,9 @@ HWY_EXPORT(Bitmask);
 
 }  // namespace
 
-void BitmaskRows(const SliceTask& task, const BitmaskOptions& options, int first, int last,
+void BitmaskTile(const SliceTask& task, const BitmaskOptions& options, const PixelRect& where,
                  Image<float>& A) {
-    HWY_DYNAMIC_DISPATCH(Bitmask)(task, options, first, last, A);
+    HWY_DYNAMIC_DISPATCH(Bitmask)(task, options, where, A);
 }
 
 }  // namespace plumb

@@ -19,6 +19,7 @@
 #include "core/image.h"
 #include "screen_space/gtao.h"
 #include "screen_space/hbao.h"
+#include "screen_space/pixel_rect.h"
 #include "screen_space/visibility_bitmask.h"
 
 namespace plumb {
@@ -35,14 +36,14 @@ struct SliceTask {
     std::vector<float> cosine, sine;           ///< Of pi k / slices.
 };
 
-/// A of the rows [first, last), written to `A`.
-void HbaoRows(const SliceTask& task, const HbaoOptions& options, int first, int last,
+/// A of the pixels of `where`, written to `A`.
+void HbaoTile(const SliceTask& task, const HbaoOptions& options, const PixelRect& where,
               Image<float>& A);
-void GtaoRows(const SliceTask& task, const GtaoOptions& options, int first, int last,
+void GtaoTile(const SliceTask& task, const GtaoOptions& options, const PixelRect& where,
               Image<float>& A);
 /// For at most so many sectors.
-inline constexpr int kSectorsOfRows = 32;
-void BitmaskRows(const SliceTask& task, const BitmaskOptions& options, int first, int last,
+inline constexpr int kSectorsOfTile = 32;
+void BitmaskTile(const SliceTask& task, const BitmaskOptions& options, const PixelRect& where,
                  Image<float>& A);
 
 }  // namespace plumb

@@ -3,10 +3,10 @@
 #include <limits>
 #include <numbers>
 
-#include "screen_space/slice_rows.h"
+#include "screen_space/slice_tile.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "screen_space/hbao_rows.cpp"
+#define HWY_TARGET_INCLUDE "screen_space/hbao_tile.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -17,13 +17,13 @@ namespace plumb::HWY_NAMESPACE {
 
 namespace {
 
-void Hbao(const SliceTask& task, const HbaoOptions& options, int first, int last,
+void Hbao(const SliceTask& task, const HbaoOptions& options, const PixelRect& where,
           Image<float>& A) {
     const float r2 = float(options.sampling.radius_m * options.sampling.radius_m);
     const F cos_bias = Set(float(std::cos(options.bias_rad)));
     const F sin_bias = Set(float(std::sin(options.bias_rad)));
     const F fall = Set(options.attenuate ? 1 / r2 : 0);
-    EachBlock(task, first, last, A, [&](const Block& b, F cos_0, F sin_0) {
+    EachBlock(task, where, A, [&](const Block& b, F cos_0, F sin_0) {
         F rise = Zero();
         for (int k = 0; k < task.sampling.slices; ++k) {
             const LaneSlice slice = SliceOf(task, b, cos_0, sin_0, k);
@@ -67,9 +67,9 @@ HWY_EXPORT(Hbao);
 
 }  // namespace
 
-void HbaoRows(const SliceTask& task, const HbaoOptions& options, int first, int last,
+void HbaoTile(const SliceTask& task, const HbaoOptions& options, const PixelRect& where,
               Image<float>& A) {
-    HWY_DYNAMIC_DISPATCH(Hbao)(task, options, first, last, A);
+    HWY_DYNAMIC_DISPATCH(Hbao)(task, options, where, A);
 }
 
 }  // namespace plumb

@@ -1,4 +1,4 @@
-#include "screen_space/slice_rows.h"
+#include "screen_space/slice_tile.h"
 
 #include <cmath>
 #include <numbers>

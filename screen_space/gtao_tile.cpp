@@ -3,10 +3,10 @@
 #include <limits>
 #include <numbers>
 
-#include "screen_space/slice_rows.h"
+#include "screen_space/slice_tile.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "screen_space/gtao_rows.cpp"
+#define HWY_TARGET_INCLUDE "screen_space/gtao_tile.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -17,14 +17,14 @@ namespace plumb::HWY_NAMESPACE {
 
 namespace {
 
-void Gtao(const SliceTask& task, const GtaoOptions& options, int first, int last,
+void Gtao(const SliceTask& task, const GtaoOptions& options, const PixelRect& where,
           Image<float>& A) {
     const double radius = options.sampling.radius_m, start = options.falloff_start * radius;
     const bool falls = options.falloff_start < 1;
     const F r = Set(float(radius)), per_fall = Set(float(falls ? 1 / (radius - start) : 0));
     const bool thins = options.thickness_blend > 0;
     const F blend = Set(float(options.thickness_blend));
-    EachBlock(task, first, last, A, [&](const Block& b, F cos_0, F sin_0) {
+    EachBlock(task, where, A, [&](const Block& b, F cos_0, F sin_0) {
         F sum = Zero(), open = Zero();
         for (int k = 0; k < task.sampling.slices; ++k) {
             const LaneSlice slice = SliceOf(task, b, cos_0, sin_0, k);
@@ -69,9 +69,9 @@ HWY_EXPORT(Gtao);
 
 }  // namespace
 
-void GtaoRows(const SliceTask& task, const GtaoOptions& options, int first, int last,
+void GtaoTile(const SliceTask& task, const GtaoOptions& options, const PixelRect& where,
               Image<float>& A) {
-    HWY_DYNAMIC_DISPATCH(Gtao)(task, options, first, last, A);
+    HWY_DYNAMIC_DISPATCH(Gtao)(task, options, where, A);
 }
 
 }  // namespace plumb

@@ -48,7 +48,7 @@ double GtaoOfPixel(const GBuffer& gbuffer, const GtaoOptions& options, int x, in
 /// A of the drawn size, in float and with SIMD.
 Image<float> Gtao(const GBuffer& gbuffer, const GtaoOptions& options = {});
 
-/// The same within `where` (screen_space/pixel_rect.h: what is shown, for example); 1 elsewhere.
+/// The same within `where`, a part of what is drawn; 1 elsewhere.
 Image<float> Gtao(const GBuffer& gbuffer, const GtaoOptions& options, const PixelRect& where);
 
 }  // namespace plumb

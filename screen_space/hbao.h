@@ -45,7 +45,7 @@ double HbaoOfPixel(const GBuffer& gbuffer, const HbaoOptions& options, int x, in
 /// A of the drawn size, in float and with SIMD.
 Image<float> Hbao(const GBuffer& gbuffer, const HbaoOptions& options = {});
 
-/// The same within `where` (screen_space/pixel_rect.h: what is shown, for example); 1 elsewhere.
+/// The same within `where`, a part of what is drawn; 1 elsewhere.
 Image<float> Hbao(const GBuffer& gbuffer, const HbaoOptions& options, const PixelRect& where);
 
 }  // namespace plumb

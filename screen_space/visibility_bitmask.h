@@ -69,7 +69,7 @@ double VisibilityBitmaskOfPixel(const GBuffer& gbuffer, const BitmaskOptions& op
 /// A of the drawn size, in float and with SIMD.
 Image<float> VisibilityBitmask(const GBuffer& gbuffer, const BitmaskOptions& options = {});
 
-/// The same within `where` (screen_space/pixel_rect.h: what is shown, for example); 1 elsewhere.
+/// The same within `where`, a part of what is drawn; 1 elsewhere.
 Image<float> VisibilityBitmask(const GBuffer& gbuffer, const BitmaskOptions& options,
                                const PixelRect& where);
 

@@ -1,7 +1,6 @@
 #include "screen_space/draw_gbuffer.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "core/parallel.h"
@@ -93,14 +92,9 @@ class Resolver {
 
     float SurfaceZ(double z) const { return float(std::min(z, -seen_.range.near_m)); }
 
-    // Where n / f is less than float can tell from 0, eq. 2 divides by something that rounding
-    // made 0 or of the wrong sign: that is the far plane.
     float StoredZ(int i, int j) const {
-        const float d = float(DecodeDepth(seen_.format, seen_.depth(i, j)));
-        const float z = ReconstructZ(seen_.format, seen_.range, d);
-        const float most = std::numeric_limits<float>::max();
-        const float z_f = -float(std::min(seen_.range.far_m, double(most)));
-        return z < 0 ? std::max(z, z_f) : z_f;
+        const double d = DecodeDepth(seen_.format, seen_.depth(i, j));
+        return ReconstructZ(seen_.format, seen_.range, float(d));
     }
 
     void TextureCoordinates(const Seen& here, const Vec3& b, int i, int j) {

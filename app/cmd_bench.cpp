@@ -65,6 +65,7 @@ void AddBench(CLI::App& program) {
     light->callback([o] { Run(*o); });
     AddBenchRaster(*bench);
     AddBenchTruth(*bench);
+    AddBenchAo(*bench);
 }
 
 }  // namespace plumb::app

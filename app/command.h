@@ -43,5 +43,6 @@ void AddReport(CLI::App& program);
 void AddBench(CLI::App& program);
 void AddBenchRaster(CLI::App& bench);
 void AddBenchTruth(CLI::App& bench);
+void AddBenchAo(CLI::App& bench);
 
 }  // namespace plumb::app

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "jobs/score_technique.h"
 #include "score/pareto.h"
+#include "screen_space/draw_gbuffer.h"
 
 namespace plumb {
 namespace {
@@ -14,10 +15,28 @@ constexpr int kSampleCounts[] = {4, 8, 16, 32, 64};
 struct Setting {
     std::string text;
     Technique technique;
+    bool half = false;  // Drawn at half the resolution.
 };
+
+// Of a picture of half the size, each pixel four times.
+Image<float> Doubled(const Image<float>& half, int width_px, int height_px) {
+    Image<float> image(width_px, height_px);
+    for (int j = 0; j < height_px; ++j) {
+        for (int i = 0; i < width_px; ++i) {
+            image(i, j) =
+                half(std::min(i / 2, half.Width() - 1), std::min(j / 2, half.Height() - 1));
+        }
+    }
+    return image;
+}
 
 std::vector<Setting> SettingsOf(const std::string& name, double radius_m) {
     std::vector<Setting> settings{{"as shipped", TechniqueNamed(name, {.radius_m = radius_m})}};
+    for (const double share : {0.5, 2.0}) {
+        settings.push_back({share < 1 ? "half the radius" : "twice the radius",
+                            TechniqueNamed(name, {.radius_m = share * radius_m})});
+    }
+    settings.push_back({"half resolution", TechniqueNamed(name, {.radius_m = radius_m}), true});
     settings.push_back(
         {"no filter", TechniqueNamed(name, {.radius_m = radius_m, .filter = false})});
     if (!name.starts_with("rays-")) {
@@ -71,15 +90,23 @@ std::vector<SweepPoint> SweepTechniques(const TechniqueInput& in, const ViewTrut
                                         Monitor& monitor) {
     const Mask seen = RegionsOf(truth).seen;
     const TruthImage& near = truth.near.at(Falloff::kHard);
+    Camera half_camera = in.camera;
+    half_camera.width_px = (half_camera.width_px + 1) / 2;
+    half_camera.height_px = (half_camera.height_px + 1) / 2;
+    const GBuffer half =
+        DrawGBuffer(in.scene, half_camera, {.guard_px = (in.gbuffer.view.guard_px + 1) / 2});
+    const TechniqueInput in_half{half, in.scene, half_camera, in.caster};
     std::vector<SweepPoint> points;
     std::vector<TimedError> timed;
     for (std::size_t t = 0; t < techniques.size(); ++t) {
         for (const Setting& setting : SettingsOf(techniques[t], options.radius_m)) {
             if (monitor.Cancelled()) throw Interrupted();
+            const TechniqueInput& input = setting.half ? in_half : in;
             const std::vector<Pass> passes =
-                Timed(setting.technique, in, options.rounds, clock);
-            const ScoreAgainst score = ScoreOver(Shown(passes.back().A, in.gbuffer.view), near,
-                                                 kTruthNear, "whole", seen);
+                Timed(setting.technique, input, options.rounds, clock);
+            Image<float> A = Shown(passes.back().A, input.gbuffer.view);
+            if (setting.half) A = Doubled(A, seen.Width(), seen.Height());
+            const ScoreAgainst score = ScoreOver(A, near, kTruthNear, "whole", seen);
             points.push_back({.technique = techniques[t],
                               .setting = setting.text,
                               .seconds = TotalSeconds(passes),

@@ -1,7 +1,8 @@
 // Error against run time: every technique at several settings, on one view.
 //
-// Settings: lookups or rays a pixel, the pyramid and the filters of SAO on and off, half the
-// resolution. Every point is scored against V within r. The Pareto front names the settings that
+// Settings: lookups or rays a pixel, half and twice the radius, half the resolution (each pixel of
+// its picture shown four times; time without that), filters, pyramid, packing and quads on and
+// off. Every point is scored against V within r. The Pareto front names the settings that
 // no other one beats in both time and error.
 #pragma once
 

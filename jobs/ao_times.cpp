@@ -18,20 +18,6 @@ double Median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-// What the passes read and write at least, every picture once: taps are taken to hit the cache.
-double BytesPerPixel(const SaoOptions& options) {
-    constexpr double kFloat = 4, kPyramid = 4 * 4.0 / 3;
-    double bytes = kFloat + kPyramid;  // z in, its pyramid out
-    bytes += kPyramid + kFloat;        // the pyramid in, A out
-    if (options.sampling.normals != NormalSource::kDepth) bytes += 3 * kFloat;
-    if (options.quad_filter) bytes += 3 * kFloat;  // A and z in, A out
-    bytes += 4 * kFloat;                           // A and z in, A and key out
-    for (const bool on : {options.blur_x, options.blur_y}) {
-        if (on) bytes += 3 * kFloat;  // A and key in, A out
-    }
-    return bytes;
-}
-
 Camera SizedAs(Camera camera, const TimedSize& size) {
     camera.width_px = size.width_px;
     camera.height_px = size.height_px;
@@ -52,6 +38,19 @@ double SamplingSeconds(const GBuffer& gbuffer, const SaoOptions& options, int ro
 }
 
 }  // namespace
+
+double BytesPerPixel(const SaoOptions& options) {
+    constexpr double kFloat = 4, kPyramid = 4 * 4.0 / 3;
+    double bytes = kFloat + kPyramid;  // z in, its pyramid out
+    bytes += kPyramid + kFloat;        // the pyramid in, A out
+    if (options.sampling.normals != NormalSource::kDepth) bytes += 3 * kFloat;
+    if (options.quad_filter) bytes += 3 * kFloat;  // A and z in, A out
+    bytes += 4 * kFloat;                           // A and z in, A and key out
+    for (const bool on : {options.blur_x, options.blur_y}) {
+        if (on) bytes += 3 * kFloat;  // A and key in, A out
+    }
+    return bytes;
+}
 
 double CopyBytesPerSecond(int rounds, const PassClock& clock) {
     std::vector<char> from(kCopyBytes, 1), to(kCopyBytes);

@@ -31,6 +31,10 @@ std::vector<RadiusTime> TimeRadii(const Scene& scene, const Camera& camera,
                                   const TimedSize& size, int rounds, const PassClock& clock,
                                   Monitor& monitor = SilentMonitor());
 
+/// Bytes a pixel that the passes read and write at least: every picture once, taps from the
+/// cache.
+double BytesPerPixel(const SaoOptions& options);
+
 /// Bytes read and written a second by a copy of memory, all threads: the median of `rounds`.
 double CopyBytesPerSecond(int rounds, const PassClock& clock);
 

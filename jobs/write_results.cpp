@@ -123,4 +123,8 @@ void WriteBenchResults(const std::filesystem::path& folder, const TruthBench& be
     WriteWholeFile(folder / "bench_truth.json", ToJsonText(bench));
 }
 
+void WriteBenchResults(const std::filesystem::path& folder, const AoBench& bench) {
+    WriteWholeFile(folder / "bench_ao.json", ToJsonText(bench));
+}
+
 }  // namespace plumb

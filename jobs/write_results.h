@@ -9,6 +9,7 @@
 #include "heightfield/height_field.h"
 #include "jobs/simulate_surface.h"
 #include "jobs/surface.h"
+#include "reports/ao_bench_report.h"
 #include "reports/bench_report.h"
 #include "reports/fit_report.h"
 #include "reports/raster_bench_report.h"
@@ -34,10 +35,11 @@ void WriteCurveResults(const std::filesystem::path& folder, const FitReport& rep
 std::filesystem::path WriteSimulateResults(const std::filesystem::path& folder,
                                            const SimulateReport& report);
 
-/// bench_light.json, bench_raster.json, bench_truth.json.
+/// bench_light.json, bench_raster.json, bench_truth.json, bench_ao.json.
 void WriteBenchResults(const std::filesystem::path& folder, const LightBench& bench);
 void WriteBenchResults(const std::filesystem::path& folder, const RasterBench& bench);
 void WriteBenchResults(const std::filesystem::path& folder, const TruthBench& bench);
+void WriteBenchResults(const std::filesystem::path& folder, const AoBench& bench);
 
 /// Maps of the light, one pixel a cell (the mean of its two facets): light.exr with the
 /// channels height_m, alpha, V, E_0 ... E_K and E(rho) of each albedo.

@@ -269,6 +269,11 @@ std::string SweepHtml(const SceneReport& r, PlotSheet& sheet) {
         return drawn;
     };
     PlotView plain = view("as it is", &SweepPoint::rmse);
+    double least = 1, most = 0;
+    for (const SweepPoint& p : r.sweep) {
+        least = std::min({least, p.rmse, p.recalibrated_rmse});
+        most = std::max({most, p.rmse, p.recalibrated_rmse});
+    }
     std::vector<std::pair<double, double>> front;
     for (const SweepPoint& p : r.sweep) {
         if (p.on_front) front.push_back({p.seconds * 1e3, p.rmse});
@@ -290,7 +295,10 @@ std::string SweepHtml(const SceneReport& r, PlotSheet& sheet) {
             "pyramid, packing and filters on and off. Down and to the left is "
             "better; nothing lies below the front.",
         .x = {.label = "time of one picture [ms]", .low = {}, .high = {}, .logarithmic = true},
-        .y = {.label = "RMSE against V within r", .low = {}, .high = {}, .logarithmic = true},
+        .y = {.label = "RMSE against V within r",
+              .low = 0.8 * least,
+              .high = 1.2 * most,
+              .logarithmic = true},
         .views = {std::move(plain), std::move(recalibrated)},
         .wide = true};
     std::string html = sheet.Group({{"error", "error", {"as it is", "recalibrated"}}}, {plot});

@@ -138,7 +138,7 @@ TEST(SweepTechniques, MarksWhatNothingBeats) {
     const std::vector<SweepPoint> points =
         SweepTechniques({gbuffer, scene, camera, caster}, truth, {"sao-g3d10", "rays-8"},
                         {.radius_m = 1, .rounds = 1}, Ticking());
-    EXPECT_EQ(points.size(), 12u);
+    EXPECT_EQ(points.size(), 18u);
     for (const SweepPoint& p : points) {
         const bool beaten = std::any_of(points.begin(), points.end(), [&](const SweepPoint& q) {
             return q.seconds < p.seconds && q.rmse < p.rmse;

@@ -26,22 +26,53 @@ std::array<double, kTaps> Gaussian() {
     return g;
 }
 
-/// Weighted sums of a window, not yet divided by the weight.
+/// Sums over a window, each pixel times its weight; not yet divided by that of the weights.
 struct Sums {
     double w = 0, c = 0, t = 0, cc = 0, tt = 0, ct = 0, s2 = 0;
     double w2_s2 = 0;  ///< With squared weights.
-
-    void Add(double g, const Sums& o) {
-        w += g * o.w;
-        c += g * o.c;
-        t += g * o.t;
-        cc += g * o.cc;
-        tt += g * o.tt;
-        ct += g * o.ct;
-        s2 += g * o.s2;
-        w2_s2 += g * g * o.w2_s2;
-    }
 };
+
+constexpr int kChannels = 8;  // As many as Sums has, in its order.
+
+/// Rows of each channel, side by side, so that the loops over columns are plain.
+class Rows {
+  public:
+    Rows(int width, int height)
+        : width_(width), height_(height), values_(std::size_t(width) * height * kChannels) {}
+
+    double* operator()(int channel, int row) {
+        return &values_[(std::size_t(channel) * height_ + row) * width_];
+    }
+    const double* operator()(int channel, int row) const {
+        return &values_[(std::size_t(channel) * height_ + row) * width_];
+    }
+    Sums At(int row, int i) const {
+        return {(*this)(0, row)[i], (*this)(1, row)[i], (*this)(2, row)[i], (*this)(3, row)[i],
+                (*this)(4, row)[i], (*this)(5, row)[i], (*this)(6, row)[i], (*this)(7, row)[i]};
+    }
+    void Set(int row, int i, const Sums& sums) {
+        const double all[kChannels] = {sums.w,  sums.c,  sums.t,  sums.cc,
+                                       sums.tt, sums.ct, sums.s2, sums.w2_s2};
+        for (int channel = 0; channel < kChannels; ++channel)
+            (*this)(channel, row)[i] = all[channel];
+    }
+
+  private:
+    int width_, height_;
+    std::vector<double> values_;
+};
+
+/// to[i] = Sum_k g_k from_k[i] for i in [0, n); of the last channel with g_k^2.
+template <class From>
+void Weigh(const std::array<double, kTaps>& g, int channel, int n, double* to,
+           const From& from) {
+    std::fill(to, to + n, 0.0);
+    for (int k = 0; k < kTaps; ++k) {
+        const double weight = channel == kChannels - 1 ? g[k] * g[k] : g[k];
+        const double* row = from(k);
+        for (int i = 0; i < n; ++i) to[i] += weight * row[i];
+    }
+}
 
 double Ssim(const Sums& sums) {
     constexpr double C1 = kSsimK1 * kSsimK1, C2 = kSsimK2 * kSsimK2;
@@ -76,20 +107,25 @@ Image<float> SsimMap(const Image<float>& candidate, const Image<float>& truth,
         }
         return {1, c, t, c * c, t * t, c * t, s2, s2};
     };
-    constexpr std::int64_t kRows = 16;
+    constexpr std::int64_t kRows = 32;
+    const int inner = width - 2 * kSsimReach;
     ParallelFor(height - 2 * kSsimReach, kRows, [&](std::int64_t begin, std::int64_t end) {
-        std::vector<Sums> columns(width);
-        for (int j = int(begin) + kSsimReach; j < int(end) + kSsimReach; ++j) {
-            for (int i = 0; i < width; ++i) {
-                columns[i] = {};
-                for (int k = 0; k < kTaps; ++k)
-                    columns[i].Add(g[k], pixel(i, j + k - kSsimReach));
+        const int high = int(end - begin);
+        Rows pixels(width, high + 2 * kSsimReach), columns(width, 1), windows(inner, 1);
+        for (int row = 0; row < high + 2 * kSsimReach; ++row)
+            for (int i = 0; i < width; ++i) pixels.Set(row, i, pixel(i, int(begin) + row));
+        for (int row = 0; row < high; ++row) {
+            for (int channel = 0; channel < kChannels; ++channel) {
+                double* column = columns(channel, 0);
+                Weigh(g, channel, width, column,
+                      [&](int k) { return pixels(channel, row + k); });
+                Weigh(g, channel, inner, windows(channel, 0),
+                      [&](int k) { return column + k; });
             }
-            for (int i = kSsimReach; i < width - kSsimReach; ++i) {
-                if (!seen.Empty() && seen(i, j) == 0) continue;
-                Sums window;
-                for (int k = 0; k < kTaps; ++k) window.Add(g[k], columns[i + k - kSsimReach]);
-                map(i, j) = float(Ssim(window));
+            const int j = int(begin) + row + kSsimReach;
+            for (int i = 0; i < inner; ++i) {
+                if (!seen.Empty() && seen(i + kSsimReach, j) == 0) continue;
+                map(i + kSsimReach, j) = float(Ssim(windows.At(0, i)));
             }
         }
     });

@@ -31,7 +31,7 @@ Surface SurfaceAt(const BlurGuide& guide, int x, int y) {
 
 double SurfaceWeight(const Surface& centre, const Surface& tap, const BlurOptions& options) {
     double weight = 1;
-    if (options.normal_weight) weight *= std::max(0.0, centre.n.dot(tap.n));
+    if (options.normal_weight) weight *= std::clamp(centre.n.dot(tap.n), 0.0, 1.0);
     if (options.plane_weight) {
         const Vec3 across = centre.C - tap.C;
         const double d2 = across.squaredNorm();
@@ -66,19 +66,24 @@ double BlurredPixel(BlurAxis axis, const Image<float>& A, const BlurGuide& guide
     const bool surfaces = options.normal_weight || options.plane_weight;
     const Surface centre = surfaces ? SurfaceAt(guide, x, y) : Surface{};
     double weights = options.kernel[0], sum = weights * A(x, y);
-    for (int k = -options.taps_each_side; k <= options.taps_each_side; ++k) {
-        const int step = k * options.stride_px;
-        const int i = axis == BlurAxis::kX ? x + step : x;
-        const int j = axis == BlurAxis::kY ? y + step : y;
-        if (k == 0 || !Drawn(guide.view).Contains(i, j)) continue;
-        const double off = std::abs(guide.key(i, j) - key);
-        double weight = options.lift + options.kernel[std::size_t(std::abs(k))];
-        weight *= std::max(0.0, 1 - options.edge_sharpness * off);
-        if (surfaces && weight > 0) {
-            weight *= SurfaceWeight(centre, SurfaceAt(guide, i, j), options);
+    for (const int side : {-1, 1}) {
+        double nearest = 1;  // the least share of the taps passed, if it must not rise
+        for (int k = 1; k <= options.taps_each_side; ++k) {
+            const int step = side * k * options.stride_px;
+            const int i = axis == BlurAxis::kX ? x + step : x;
+            const int j = axis == BlurAxis::kY ? y + step : y;
+            if (!Drawn(guide.view).Contains(i, j)) continue;
+            const double off = std::abs(guide.key(i, j) - key);
+            double share = std::max(0.0, 1 - options.edge_sharpness * off);
+            if (surfaces && share > 0) {
+                share *= SurfaceWeight(centre, SurfaceAt(guide, i, j), options);
+            }
+            if (!(share > 0)) share = 0;
+            if (options.monotonic) share = nearest = std::min(nearest, share);
+            const double weight = share * (options.lift + options.kernel[std::size_t(k)]);
+            sum += weight * A(i, j);
+            weights += weight;
         }
-        sum += weight * A(i, j);
-        weights += weight;
     }
     return sum / (weights + options.tiny);
 }

@@ -45,6 +45,8 @@ struct BlurOptions {
     double tiny = 1e-4;            ///< Added to the sum of weights. [0, 1]
     bool normal_weight = false;
     bool plane_weight = false;
+    bool monotonic =
+        false;  ///< The part of w after (lift + g) never rises away from the centre.
     double near_m2 = 0.001;  ///< Below this |C - C_k|^2 no plane weight. [1e-12, 1e12]
 };
 
@@ -56,7 +58,7 @@ enum class BlurAxis { kX, kY };
 /// What a filter needs of the pixels besides A.
 struct BlurGuide {
     Image<float> key;                      ///< z / z_min in [0, 1].
-    const Image<Vec3f>* normal = nullptr;  ///< For normal_weight and plane_weight.
+    const Image<Vec3f>* normal = nullptr;  ///< For both weights; what is not a number weighs 0.
     View view{};                           ///< For plane_weight.
     double z_min_m = -300;                 ///< Depth of key 1.
 };

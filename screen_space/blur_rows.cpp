@@ -1,6 +1,6 @@
 #include "screen_space/blur_rows.h"
 
-#include <cstdlib>
+#include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "screen_space/blur_rows.cpp"
@@ -95,7 +95,8 @@ Surface SurfaceOf(const BlurGuide& guide, const Block& block, F key, int y) {
 F SurfaceWeight(const Surface& centre, const Surface& tap, const BlurOptions& options) {
     const Floats df;
     F weight = Set(1);
-    if (options.normal_weight) weight = hn::Max(hn::Zero(df), Dot(centre.n, tap.n));
+    if (options.normal_weight)
+        weight = hn::Min(hn::Max(hn::Zero(df), Dot(centre.n, tap.n)), Set(1));
     if (options.plane_weight) {
         const Vector across = Minus(centre.C, tap.C);
         const F d2 = Dot(across, across);
@@ -120,22 +121,28 @@ void Row(BlurAxis axis, const Image<float>& A, const BlurGuide& guide,
         Surface here;
         if (surfaces) here = SurfaceOf(guide, centre, key, y);
         F weights = Set(options.kernel[0]), sum = hn::Mul(weights, a);
-        for (int k = -options.taps_each_side; k <= options.taps_each_side; ++k) {
-            const int step = k * options.stride_px;
-            const int j = axis == BlurAxis::kY ? y + step : y;
-            if (k == 0 || j < 0 || j >= A.Height()) continue;
-            const Block tap(axis == BlurAxis::kX ? x + step : x, A.Width());
-            const F tap_key = tap.Of(&guide.key(0, j));
-            const F off = hn::Mul(Set(options.edge_sharpness), hn::Abs(hn::Sub(tap_key, key)));
-            F weight = hn::Mul(Set(options.lift + options.kernel[std::size_t(std::abs(k))]),
-                               hn::Max(hn::Zero(df), hn::Sub(Set(1), off)));
-            if (surfaces) {
-                const Surface there = SurfaceOf(guide, tap, tap_key, j);
-                weight = hn::Mul(weight, SurfaceWeight(here, there, options));
+        for (const int side : {-1, 1}) {
+            F nearest = Set(1);
+            for (int k = 1; k <= options.taps_each_side; ++k) {
+                const int step = side * k * options.stride_px;
+                const int j = axis == BlurAxis::kY ? y + step : y;
+                if (j < 0 || j >= A.Height()) continue;
+                const Block tap(axis == BlurAxis::kX ? x + step : x, A.Width());
+                const F tap_key = tap.Of(&guide.key(0, j));
+                const F off =
+                    hn::Mul(Set(options.edge_sharpness), hn::Abs(hn::Sub(tap_key, key)));
+                F share = hn::Max(hn::Zero(df), hn::Sub(Set(1), off));
+                if (surfaces) {
+                    const Surface there = SurfaceOf(guide, tap, tap_key, j);
+                    share = hn::Mul(share, SurfaceWeight(here, there, options));
+                    share = hn::IfThenElseZero(hn::Gt(share, hn::Zero(df)), share);  // NaN
+                }
+                if (options.monotonic) share = nearest = hn::Min(nearest, share);
+                const F g = Set(options.lift + options.kernel[std::size_t(k)]);
+                const F weight = tap.Kept(hn::Mul(share, g));
+                sum = hn::Add(sum, hn::Mul(weight, tap.Of(&A(0, j))));
+                weights = hn::Add(weights, weight);
             }
-            weight = tap.Kept(weight);
-            sum = hn::Add(sum, hn::Mul(weight, tap.Of(&A(0, j))));
-            weights = hn::Add(weights, weight);
         }
         const F mean = hn::Div(sum, hn::Add(weights, Set(options.tiny)));
         const F blurred = hn::IfThenElse(hn::Eq(key, Set(1)), a, mean);

@@ -8,14 +8,19 @@
 namespace plumb {
 namespace {
 
+DepthNormal Given(const Vec3f& normal) {
+    const bool sound = normal.squaredNorm() <= kMostNormal2;
+    return {.n = sound ? Vec3(normal.cast<double>()) : Vec3(0, 0, 0), .area = 0};
+}
+
 DepthNormal NormalOf(const GBuffer& gbuffer, NormalSource source, int x, int y) {
     switch (source) {
         case NormalSource::kDepth:
             return NormalFromDepth(gbuffer.view, gbuffer.z_m, x, y);
         case NormalSource::kFace:
-            return {.n = gbuffer.face_normal(x, y).cast<double>(), .area = 0};
+            return Given(gbuffer.face_normal(x, y));
         case NormalSource::kShading:
-            return {.n = gbuffer.shading_normal(x, y).cast<double>(), .area = 0};
+            return Given(gbuffer.shading_normal(x, y));
     }
     return {};
 }

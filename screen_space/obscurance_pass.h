@@ -26,6 +26,9 @@
 
 namespace plumb {
 
+/// |n|^2 of a given normal; one that is longer, or not a number, occludes nothing: A = 1.
+inline constexpr float kMostNormal2 = 4;
+
 enum class NormalSource {
     kDepth,    ///< [McGuire12 eq. 4]
     kFace,     ///< GBuffer::face_normal

@@ -108,9 +108,12 @@ void GivenNormals(const ObscuranceTask& task, int x, int y, Block& b) {
         n_y[i] = from[i].y();
         n_z[i] = from[i].z();
     }
-    b.n_x = hn::Load(df, n_x);
-    b.n_y = hn::Load(df, n_y);
-    b.n_z = hn::Load(df, n_z);
+    const F X = hn::Load(df, n_x), Y = hn::Load(df, n_y), Z = hn::Load(df, n_z);
+    const F squared = hn::Add(hn::Add(hn::Mul(X, X), hn::Mul(Y, Y)), hn::Mul(Z, Z));
+    const auto sound = hn::Le(squared, Set(kMostNormal2));  // NaN is not
+    b.n_x = hn::IfThenElseZero(sound, X);
+    b.n_y = hn::IfThenElseZero(sound, Y);
+    b.n_z = hn::IfThenElseZero(sound, Z);
 }
 
 /// What one tap adds to the sum.

@@ -235,6 +235,22 @@ TEST(BilateralBlur, SeesAnEdgeAtTheSeamOfThePackedKey) {
     EXPECT_EQ(BlurredPixel(BlurAxis::kX, A, packed, {}, 14, 0), 0);
 }
 
+// Keys that go away by a step and come back: plainly the far side has its weight again, of monotonic
+// weights nothing beyond the step counts.
+TEST(BilateralBlur, MonotonicWeightsDoNotComeBack) {
+    Image<float> A(32, 1, 0.0f);
+    A(20, 0) = 1;
+    BlurGuide guide = FlatGuide(32, 1);
+    guide.key(18, 0) = 0.3f;
+    BlurOptions options{.tiny = 0};
+    const double W = 0.153170 + 2 * (4 * 0.3 + 0.144893 + 0.122649 + 0.092902 + 0.062970);
+    const double step = 0.3 + 0.144893, far = 0.3 + 0.122649;
+    EXPECT_NEAR(BlurredPixel(BlurAxis::kX, A, guide, options, 16, 0), far / (W - step), 1e-12);
+    options.monotonic = true;
+    EXPECT_EQ(BlurredPixel(BlurAxis::kX, A, guide, options, 16, 0), 0);
+    EXPECT_GT(BlurredPixel(BlurAxis::kX, A, guide, options, 26, 0), 0);
+}
+
 TEST(BilateralBlur, LeavesTheSkyAndReadsNothingBeyondThePicture) {
     const Image<float> A = Noise(9, 9, 5);
     BlurGuide guide = FlatGuide(9, 9, 1.0f);
@@ -305,7 +321,8 @@ TEST(BlurredAlong, IsTheReferenceForEveryOption) {
                                       .stride_px = stride,
                                       .edge_sharpness = sharpness,
                                       .normal_weight = (weights & 1) != 0,
-                                      .plane_weight = (weights & 2) != 0};
+                                      .plane_weight = (weights & 2) != 0,
+                                      .monotonic = R % 2 == 0};
             for (const BlurAxis axis : {BlurAxis::kX, BlurAxis::kY}) {
                 const PixelRect where{2, 4, width - 3, height};
                 const Image<float> blurred = BlurredAlong(axis, A, guide, options, where);

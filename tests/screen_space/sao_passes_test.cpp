@@ -253,6 +253,30 @@ TEST_F(Sao, ExtremeDepthsHaveDefinedResults) {
     }
 }
 
+// Normals are the caller's; what is no normal must not spread.
+TEST_F(Sao, NormalsThatAreNoneHaveDefinedResults) {
+    GBuffer g = MadeGBuffer(MadeView(47, 31), Corner());
+    const float nan = std::numeric_limits<float>::quiet_NaN(), huge = 3e38f;
+    const Vec3f bad[] = {{nan, 0, 1}, {0, 0, nan}, {0, 0, huge}, {huge, -huge, 0}, {0, 0, 0}};
+    for (std::size_t i = 0; i < g.z_m.Pixels().size(); i += 2) {
+        g.shading_normal.Pixels()[i] = g.face_normal.Pixels()[i] = bad[i / 2 % 5];
+    }
+    for (const SaoPreset& preset : EveryFalloff()) {
+        for (const NormalSource normals : {NormalSource::kFace, NormalSource::kShading}) {
+            SaoOptions options = preset.options;
+            options.sampling.normals = normals;
+            options.blur.normal_weight = true;
+            for (const bool plane_weight : {false, true}) {
+                options.blur.plane_weight = plane_weight;
+                ExpectSound(RunSao(g, options), g, preset.name);
+            }
+            const ZPyramid pyramid = BuildZPyramid(g, options);
+            const double A = ObscuranceOfPixel(g, pyramid, options.sampling, 16, 16);
+            EXPECT_TRUE(A >= 0 && A <= 1);
+        }
+    }
+}
+
 std::string MessageOf(const GBuffer& g, const SaoOptions& options) {
     try {
         RunSao(g, options);

@@ -134,7 +134,9 @@ TEST(DrawInTile, ThirtyTwoBitsAreEnough) {
                      says = here.i_0 <= i && i <= here.i_1 && here.j_0 <= j && j <= here.j_1;
                 for (std::size_t k = 0; k < 3; ++k) {
                     covered &= edges[k].At(kTilePx + i, kTilePx + j) >= 0;
-                    says &= here.F[k] + here.dx[k] * j - here.dy[k] * i >= 0;
+                    says &= std::int64_t{here.F[k]} + std::int64_t{here.dx[k]} * j -
+                                std::int64_t{here.dy[k]} * i >=
+                            0;
                 }
                 ASSERT_EQ(covered, says) << number << " " << i << " " << j;
                 ++(covered ? inside : outside);

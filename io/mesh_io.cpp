@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "io/mesh_materials.h"
+#include "io/survives.h"
 
 namespace plumb {
 namespace {
@@ -81,6 +82,13 @@ class Warnings {
     static constexpr std::size_t kMostWarnings = 20;
     std::vector<std::string> lines_;
 };
+
+const aiScene* Parse(Assimp::Importer& importer, const std::string& file) {
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    return importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices |
+                                       aiProcess_JoinIdenticalVertices | aiProcess_SortByPType);
+}
 
 class Converter {
   public:
@@ -204,12 +212,15 @@ MeshFile ReadMesh(const std::filesystem::path& path, const MeshFileOptions& opti
     CheckPlyHeader(path);
     try {
         const Warnings warnings;
+        const auto parse_and_drop = [&] {
+            Assimp::Importer importer;
+            Parse(importer, file);
+        };
+        if (!Survives(parse_and_drop)) {
+            throw Error(file + ": is damaged: its reader breaks down over it");
+        }
         Assimp::Importer importer;
-        importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                                    aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-        const aiScene* scene = importer.ReadFile(
-            file, aiProcess_Triangulate | aiProcess_PreTransformVertices |
-                      aiProcess_JoinIdenticalVertices | aiProcess_SortByPType);
+        const aiScene* scene = Parse(importer, file);
         if (!scene) throw Error(file + ": " + importer.GetErrorString());
         for (const std::string& line : warnings.Lines()) {
             // assimp puts another vertex in its place and goes on.

@@ -172,8 +172,11 @@ std::vector<Kind> Kinds(const fs::path& folder) {
     BounceHistogram histogram;
     histogram.albedos = {0.5};
     for (int k = 0; k < 3; ++k) {
-        BounceBin bin{
-            .low = k / 3.0, .high = (k + 1) / 3.0, .count = 5, .alpha = (k + 0.5) / 3};
+        BounceBin bin;
+        bin.low = k / 3.0;
+        bin.high = (k + 1) / 3.0;
+        bin.count = 5;
+        bin.alpha = (k + 0.5) / 3;
         bin.V = bin.alpha;
         bin.bounce.assign(3,
                           {.mean = 0.2, .variance = 0.01, .p05 = 0.1, .p50 = 0.2, .p95 = 0.3});
@@ -332,6 +335,9 @@ int Fuzz(double seconds, std::uint64_t seed, const std::string& only) {
     const fs::path folder =
         fs::temp_directory_path() / ("plumb_fuzz_" + std::to_string(getpid()));
     const fs::path findings = "fuzz_findings";
+    // Threads do not live on in a child: none may be started before.
+    OIIO::attribute("threads", 1);
+    OIIO::attribute("exr_threads", -1);
     fs::create_directories(folder);
     std::vector<Kind> kinds = Kinds(folder);
     std::erase_if(kinds, [&](const Kind& kind) { return !only.empty() && kind.name != only; });

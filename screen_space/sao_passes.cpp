@@ -186,12 +186,15 @@ const Image<float>& SaoObscurance(const GBuffer& gbuffer, const SaoOptions& opti
     const TapOptions& taps = options.sampling.taps;
     scratch.pyramid.Build(gbuffer.z_m, taps.filter, taps.coarsest_level);
     const PixelRect where = ComputedRect(gbuffer.view, options);
-    for (Image<float>* image : {&scratch.A, &scratch.key, &scratch.blurred}) {
-        Resize(*image, gbuffer.view, 1);
-    }
-    FillOutside(scratch.A, where, 1);
-    FillOutside(scratch.blurred, where, 1);
-    FillOutside(scratch.key, where, 0);
+    // New memory costs as much as a pass, so all cores fetch it.
+    Image<float>* const images[] = {&scratch.A, &scratch.blurred, &scratch.key};
+    ParallelFor(3, 1, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t k = begin; k < end; ++k) {
+            const float outside = images[k] == &scratch.key ? 0 : 1;
+            Resize(*images[k], gbuffer.view, outside);
+            FillOutside(*images[k], where, outside);
+        }
+    });
     const ObscuranceTask task(gbuffer, scratch.pyramid, options.sampling);
     ForEachTile(where, [&](const PixelRect& tile) {
         ObscureTile(task, tile, scratch.A);

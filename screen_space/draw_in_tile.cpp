@@ -70,38 +70,91 @@ V Key(V e) {
     }
 }
 
+// What is the same for all pixels of a triangle, and the depth test of as many as there are lanes.
+template <DepthFormat kFormat, bool kWithTriangles>
+class Pixels {
+  public:
+    Pixels(const TileTriangle& t, Tile& tile)
+        : e_x_(hn::Set(Floats(), t.e_x)),
+          e_min_(hn::Set(Floats(), t.e_min)),
+          e_max_(hn::Set(Floats(), t.e_max)),
+          number_(hn::Set(Numbers(), t.triangle)),
+          lane_(hn::Iota(Floats(), 0.f)),
+          tile_(tile) {}
+
+    /// From (i, j) on, where `covered`. e_row is e of the row's first pixel.
+    template <class Mask>
+    HWY_INLINE void Draw(int i, int j, float e_row, Mask covered) const {
+        const Floats d;
+        const Numbers du;
+        const auto x = hn::Add(lane_, hn::Set(d, float(i)));
+        const auto e = hn::Add(hn::Set(d, e_row), hn::Mul(e_x_, x));
+        const auto key = Key<kFormat>(hn::Min(hn::Max(e, e_min_), e_max_));
+        float* const at = tile_.key.data() + j * kTileStride + i;
+        const auto old = hn::LoadU(d, at);
+        const auto drawn = hn::And(covered, hn::Gt(key, old));
+        hn::StoreU(hn::IfThenElse(drawn, key, old), d, at);
+        if constexpr (kWithTriangles) {
+            std::uint32_t* const seen = tile_.triangle.data() + j * kTileStride + i;
+            hn::StoreU(hn::IfThenElse(hn::RebindMask(du, drawn), number_, hn::LoadU(du, seen)),
+                       du, seen);
+        }
+    }
+
+  private:
+    hn::Vec<Floats> e_x_, e_min_, e_max_;
+    hn::Vec<Numbers> number_;
+    hn::Vec<Floats> lane_;
+    Tile& tile_;
+};
+
+// A triangle no wider than a vector: one vector a row, which asks the edges themselves. Lanes
+// beyond the triangle's last column are outside an edge, or in the padding.
+template <DepthFormat kFormat, bool kWithTriangles>
+HWY_INLINE void DrawNarrow(const TileTriangle& t, Tile& tile) {
+    const Ints di;
+    const Pixels<kFormat, kWithTriangles> pixels(t, tile);
+    const auto column = hn::Iota(di, t.i_0);
+    const auto edge = [&](std::size_t k) {
+        return hn::Sub(hn::Set(di, t.F[k] + t.dx[k] * t.j_0),
+                       hn::Mul(hn::Set(di, t.dy[k]), column));
+    };
+    auto F_0 = edge(0), F_1 = edge(1), F_2 = edge(2);
+    const auto dx_0 = hn::Set(di, t.dx[0]), dx_1 = hn::Set(di, t.dx[1]),
+               dx_2 = hn::Set(di, t.dx[2]);
+    for (int j = t.j_0; j <= t.j_1; ++j) {
+        const auto inside = hn::Gt(hn::Or(F_0, hn::Or(F_1, F_2)), hn::Set(di, -1));
+        pixels.Draw(t.i_0, j, t.e + t.e_y * float(j), hn::RebindMask(Floats(), inside));
+        F_0 = hn::Add(F_0, dx_0);
+        F_1 = hn::Add(F_1, dx_1);
+        F_2 = hn::Add(F_2, dx_2);
+    }
+}
+
+template <DepthFormat kFormat, bool kWithTriangles>
+HWY_INLINE void DrawWide(const TileTriangle& t, Spans& spans, Tile& tile) {
+    const Floats d;
+    const int lanes = int(hn::Lanes(d));
+    const Pixels<kFormat, kWithTriangles> pixels(t, tile);
+    FindSpans(t, spans);
+    for (int j = t.j_0; j <= t.j_1; ++j) {
+        const int last = spans.last[std::size_t(j - t.j_0)];
+        const float e_row = t.e + t.e_y * float(j);
+        for (int i = spans.first[std::size_t(j - t.j_0)]; i <= last; i += lanes) {
+            pixels.Draw(i, j, e_row, hn::FirstN(d, std::size_t(last - i + 1)));
+        }
+    }
+}
+
 template <DepthFormat kFormat, bool kWithTriangles>
 void Draw(std::span<const TileTriangle> triangles, Tile& tile) {
-    const Floats d;
-    const Numbers du;
-    const int lanes = int(hn::Lanes(d));
-    const auto lane = hn::Iota(d, 0.f);
     Spans spans;
     for (const TileTriangle& t : triangles) {
         if (t.i_0 > t.i_1) continue;
-        FindSpans(t, spans);
-        const auto e_x = hn::Set(d, t.e_x);
-        const auto e_min = hn::Set(d, t.e_min), e_max = hn::Set(d, t.e_max);
-        const auto number = hn::Set(du, t.triangle);
-        for (int j = t.j_0; j <= t.j_1; ++j) {
-            const int last = spans.last[std::size_t(j - t.j_0)];
-            const auto e_row = hn::Set(d, t.e + t.e_y * float(j));
-            for (int i = spans.first[std::size_t(j - t.j_0)]; i <= last; i += lanes) {
-                const auto x = hn::Add(lane, hn::Set(d, float(i)));
-                const auto e = hn::Add(e_row, hn::Mul(e_x, x));
-                const auto key = Key<kFormat>(hn::Min(hn::Max(e, e_min), e_max));
-                const std::size_t at = std::size_t(j * kTileStride + i);
-                const auto old = hn::LoadU(d, tile.key.data() + at);
-                const auto drawn =
-                    hn::And(hn::FirstN(d, std::size_t(last - i + 1)), hn::Gt(key, old));
-                hn::StoreU(hn::IfThenElse(drawn, key, old), d, tile.key.data() + at);
-                if constexpr (kWithTriangles) {
-                    std::uint32_t* const seen = tile.triangle.data() + at;
-                    hn::StoreU(
-                        hn::IfThenElse(hn::RebindMask(du, drawn), number, hn::LoadU(du, seen)),
-                        du, seen);
-                }
-            }
+        if (t.i_1 - t.i_0 < int(hn::Lanes(Floats()))) {
+            DrawNarrow<kFormat, kWithTriangles>(t, tile);
+        } else {
+            DrawWide<kFormat, kWithTriangles>(t, spans, tile);
         }
     }
 }

@@ -156,10 +156,10 @@ TEST(SaoLimit, MoreTapsReachTheIntegralOverTheDisc) {
     }
 }
 
-// On the shape itself a tap meets what is at h u, on pixels what is at the centre of a pixel that is
-// at most sqrt(2) px away along each axis 1: f differs by no more than it changes within that step,
-// on the mean over the disc. (Looked for at 16 places around each point.) Twice the pixels, half
-// the bound, unless the step crosses an edge in depth, which is a line: half too.
+// On the shape itself a tap meets what is at h u; on pixels what is at the centre of a pixel less than
+// 1 px away along each axis, so less than sqrt(2) px. On the mean over the disc f differs by no more
+// than it changes within such a step (looked for at 16 places around each point). Twice the pixels,
+// half the bound: also where a step crosses an edge in depth, for edges are lines.
 TEST(SaoLimit, MorePixelsReachTheIntegralOverTheShape) {
     const int n = 400;
     for (const Spot& spot : Spots()) {

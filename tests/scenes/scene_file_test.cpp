@@ -147,6 +147,18 @@ TEST_F(SceneFiles, RefuseBadMeshes) {
     EXPECT_NE(
         complaint("cut.ply", "ply\nformat ascii 1.0\nelement vertex 3\n").find("cut.ply: "),
         std::string::npos);
+    // Over these, found by tests/fuzz, the readers of assimp 5.2 break down: faces that are not
+    // there or have no corner, a list that ends in the middle.
+    const std::string head =
+        "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const auto breaks_down = [&](const std::string& name, const std::string& text) {
+        EXPECT_EQ(complaint(name, text), name + ": is damaged: its reader breaks down over it");
+    };
+    breaks_down("few.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    breaks_down("none.ply", "ply\nformat ascii 1.0\n" + head + "0 0 0\n1 0 0\n0 1 0\n0\n");
+    breaks_down("short.ply", "ply\nformat binary_little_endian 1.0\n" + head +
+                                 std::string(36, '\0') + "\xff");
     EXPECT_THROW(ReadMesh(folder_), Error);
     Write("square.obj", kObj);
     EXPECT_THROW(ReadMesh(folder_ / "square.obj", {.unit_m = 0}), Error);

@@ -3,34 +3,7 @@
 # left half-written. Usage: command_line_test.sh PLUMB
 set -u
 plumb=$1
-dir=$(mktemp -d)
-trap 'rm -rf "$dir"' EXIT
-cd "$dir" || exit 1
-failed=0
-
-# expect STATUS WORDS COMMAND...: the status, and the words somewhere on standard error.
-expect() {
-  local status=$1 words=$2
-  shift 2
-  "$@" >stdout 2>stderr
-  local got=$?
-  if [ $got -ne "$status" ]; then
-    echo "FAILED: status $got, not $status: $*"
-    cat stderr
-    failed=1
-  elif [ -n "$words" ] && ! grep -qF -- "$words" stderr; then
-    echo "FAILED: no '$words' on standard error of: $*"
-    cat stderr
-    failed=1
-  fi
-}
-
-# refused WORDS COMMAND...: status 2, the words, and no output folder.
-refused() {
-  rm -rf out
-  expect 2 "$@"
-  [ ! -e out ] || { echo "FAILED: something was written by: $*"; failed=1; }
-}
+. "$(dirname "$0")/expect.sh"
 
 printf 'not a picture' >fake.png
 : >empty.png
@@ -64,16 +37,12 @@ expect 3 'file' "$plumb" simulate make:bricks:16 --slices 4 --out file/out --qui
 
 # What it is for, at the smallest size.
 expect 0 '' "$plumb" simulate make:bricks:16 --slices 4 --albedo 0.8 0.5 0.3 --out out --quiet
-for name in light.exr light_albedo.exr light_albedo.png report.html report.json \
-  histogram_alpha.csv histogram_alpha.json histogram_v.csv histogram_v.json; do
-  [ -s "out/$name" ] || { echo "FAILED: no out/$name"; failed=1; }
-done
+left out light.exr light_albedo.exr light_albedo.png report.html report.json \
+  histogram_alpha.csv histogram_alpha.json histogram_v.csv histogram_v.json
 expect 0 '' "$plumb" fit make:bricks:24 make:cobbles:24 --slices 4 --no-studies --bootstrap 4 \
   --out fitted --quiet
-for name in report.html report.json scores.csv constants.csv plumb_light.glsl plumb_light.hlsl \
-  plumb_light.h; do
-  [ -s "fitted/$name" ] || { echo "FAILED: no fitted/$name"; failed=1; }
-done
+left fitted report.html report.json scores.csv constants.csv plumb_light.glsl plumb_light.hlsl \
+  plumb_light.h
 ! grep -q "$dir" fitted/report.json || { echo "FAILED: a path of the machine in a report"; failed=1; }
 
 # Ctrl-C: status 130, nothing half-written.

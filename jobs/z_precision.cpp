@@ -35,22 +35,26 @@ ZErrorCurve CurveOf(const ZPipeline& p, const ZStudySettings& settings) {
     return curve;
 }
 
-// Of z as read back, where both pictures show the same triangle.
-void JudgeZ(const GBuffer& drawn, const GBuffer& exact, DrawnPrecision& out) {
+// Of z as read back, where both pictures show the same triangle and normals are judged: at its
+// edges a pixel's centre may lie outside a triangle, and what its z is there is a matter of taste.
+void JudgeZ(const GBuffer& drawn, const GBuffer& exact, const Image<float>& angle_rad,
+            DrawnPrecision& out) {
     double sum = 0;
+    std::int64_t judged = 0;
     for (std::size_t p = 0; p < drawn.z_m.Pixels().size(); ++p) {
         const std::uint32_t triangle = drawn.triangle.Pixels()[p];
         if (triangle == GBuffer::kSky || triangle != exact.triangle.Pixels()[p]) continue;
+        ++out.pixels;
+        if (std::isnan(angle_rad.Pixels()[p])) continue;
+        ++judged;
         const double off = double(drawn.z_m.Pixels()[p]) - double(exact.z_m.Pixels()[p]);
         sum += off * off;
         out.z_worst_m = std::max(out.z_worst_m, std::abs(off));
-        ++out.pixels;
     }
-    out.z_rms_m = std::sqrt(sum / double(std::max<std::int64_t>(1, out.pixels)));
+    out.z_rms_m = std::sqrt(sum / double(std::max<std::int64_t>(1, judged)));
 }
 
-void JudgeNormals(const GBuffer& drawn, DrawnPrecision& out) {
-    const Image<float> angle_rad = NormalErrorRad(drawn);
+void JudgeNormals(const Image<float>& angle_rad, DrawnPrecision& out) {
     std::vector<double> angles_deg;
     double sum = 0;
     std::int64_t within = 0;
@@ -92,8 +96,9 @@ void JudgeView(const Scene& scene, const Camera& camera, const ZPrecisionSetting
                 row.vertices = vertices == VertexPath::kDouble ? "double" : "float";
                 row.format = NameOf(format);
                 row.far_is_infinite = infinite;
-                JudgeZ(drawn, exact, row);
-                JudgeNormals(drawn, row);
+                const Image<float> angle_rad = NormalErrorRad(drawn);
+                JudgeZ(drawn, exact, angle_rad, row);
+                JudgeNormals(angle_rad, row);
                 out.push_back(row);
             }
         }

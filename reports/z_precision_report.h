@@ -23,7 +23,7 @@ struct ZErrorCurve {
 struct DrawnPrecision {
     std::string camera, vertices, format;  ///< vertices: "double" or "float".
     bool far_is_infinite = true;
-    double z_rms_m = 0, z_worst_m = 0;                ///< Where the same triangle is seen.
+    double z_rms_m = 0, z_worst_m = 0;                ///< Within faces.
     double normal_rms_deg = 0, normal_worst_deg = 0;  ///< Within faces.
     double normal_99_deg = 0, normal_999_deg = 0;     ///< 99 % and 99.9 % lie below.
     double within_paper_share = 0;        ///< Of the normals that are within 0.2 degrees.

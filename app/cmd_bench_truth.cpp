@@ -56,8 +56,8 @@ void AddBenchTruth(CLI::App& bench) {
         ->capture_default_str();
     truth
         ->add_option("--paths", o->settings.furnace_paths,
-                     "Paths of the furnace; 100000000 takes minutes")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40))
+                     "Paths of the furnace; 0 = none, 100000000 takes minutes")
+        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40))
         ->capture_default_str();
     AddCommon(*truth, o->common);
     truth->callback([o] { Run(*o); });

@@ -304,7 +304,9 @@ TruthBench BenchTruth(const LoadedScene& loaded, const TruthBenchSettings& setti
     }
     bench.differing_rays = speed.DifferingRays();
     SetThreadCount(threads);
-    bench.furnace = RunFurnace(settings.furnace_paths, clock, monitor);
+    if (settings.furnace_paths > 0) {
+        bench.furnace = RunFurnace(settings.furnace_paths, clock, monitor);
+    }
 
     constexpr std::size_t kStudied = 96;
     std::vector<Receiver> studied;

@@ -16,7 +16,7 @@ struct TruthBenchSettings {
     int pixel_rows = 68;                     ///< Of the picture, evenly spread. [1, height]
     std::vector<int> threads = {1, 2};       ///< Each >= 1.
     int rounds = 5;                          ///< After one that warms up. [1, ...)
-    std::int64_t furnace_paths = 1'000'000;  ///< Rounded up to whole batches. [1, ...)
+    std::int64_t furnace_paths = 1'000'000;  ///< Rounded up to whole batches; 0 = none. >= 0
     std::int64_t reference_rays = 131'072;   ///< A receiver. A power of two >= 64.
 };
 

@@ -30,7 +30,7 @@ struct TruthFurnace {
     std::int64_t rescued = 0;    ///< Got behind a surface, noticed, and started again.
     std::int64_t under_way = 0;  ///< After the last bounce followed; not lost.
     double seconds = 0;
-    double Deficit() const { return double(lost) / double(paths); }
+    double Deficit() const { return paths == 0 ? 0 : double(lost) / double(paths); }
 };
 
 /// Root mean square error of V against a reference, by samples a receiver.

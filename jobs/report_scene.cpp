@@ -14,6 +14,7 @@
 #include "jobs/ao_sweep.h"
 #include "jobs/ao_times.h"
 #include "jobs/error_budget.h"
+#include "jobs/guard_study.h"
 #include "jobs/pictures.h"
 #include "jobs/pyramid_study.h"
 #include "jobs/render_scene.h"
@@ -189,6 +190,7 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
     report.budget = MakeErrorBudget(budget, scene, camera, caster, truth,
                                     {.guard_px = guard_px}, clock, monitor);
     report.pyramids = StudyPyramid(in, truth, budget);
+    report.guards = StudyGuardBand(scene, camera, truth, budget, clock);
     report.sweep =
         SweepTechniques(in, truth, names, {.radius_m = job.radius_m}, clock, monitor);
     std::vector<TimedError> points;

@@ -123,6 +123,14 @@ std::string ToJsonText(const SceneReport& r) {
                     {"rms_to_none", ToJson(row.rms_to_none)},
                     {"score", ToJson(row.against_truth)}};
     });
+    json["guard_bands"] = List(r.guards, [](const GuardRow& row) {
+        return Json{{"share_of_height", row.share},
+                    {"guard_px", row.guard_px},
+                    {"rms_to_widest", ToJson(row.rms_to_widest)},
+                    {"border", ToJson(row.border)},
+                    {"draw_s", row.draw_s},
+                    {"sao_s", row.sao_s}};
+    });
     json["sweep"] = List(r.sweep, [](const SweepPoint& p) {
         return Json{{"technique", p.technique},
                     {"setting", p.setting},

@@ -65,6 +65,15 @@ struct PyramidRow {
     ScoreAgainst against_truth;
 };
 
+/// One width of the border that is drawn but not shown.
+struct GuardRow {
+    double share = 0;  ///< Of the picture's height.
+    int guard_px = 0;
+    Figure rms_to_widest;  ///< Of A near the frame, against A with the widest border.
+    ScoreAgainst border;   ///< Near the frame, against V within r, weighted.
+    double draw_s = 0, sao_s = 0;
+};
+
 /// One setting of one technique.
 struct SweepPoint {
     std::string technique, setting;
@@ -121,6 +130,7 @@ struct SceneReport {
     std::string budget_technique;
     std::vector<BudgetRow> budget;
     std::vector<PyramidRow> pyramids;
+    std::vector<GuardRow> guards;
     std::vector<SweepPoint> sweep;
     std::string cheapest;  ///< Of the sweep: the fastest within `cheapest_within` of the least.
     double cheapest_within = 0.05;

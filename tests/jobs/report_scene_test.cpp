@@ -11,6 +11,8 @@
 #include "core/parallel.h"
 #include "jobs/ao_sweep.h"
 #include "jobs/error_budget.h"
+#include "jobs/guard_study.h"
+#include "jobs/pyramid_study.h"
 #include "jobs/score_technique.h"
 #include "jobs/temporal_study.h"
 #include "screen_space/draw_gbuffer.h"
@@ -125,6 +127,30 @@ TEST(ErrorBudget, GoesFromTheIdealToTheShipped) {
     EXPECT_GT(rows[5].rms_change, 0);
     EXPECT_GT(rows[8].rms_change, 0);
     EXPECT_LT(rows[8].rms_change, 1.5 / 255);  // RGB8 rounds A by 1/2 of 1/255, z's bits moved
+}
+
+// Expected: the widest border is itself; none is farthest from it; the first filter's row is A
+// without a pyramid against itself.
+TEST(Studies, OfBorderAndPyramidStartFromThemselves) {
+    const Scene scene = FloorAndWall(96, 54);
+    const Camera& camera = scene.cameras.front();
+    const EmbreeCaster caster(scene);
+    const SaoOptions sao = SaoWith("supplement2012", {.radius_m = 1});
+    const std::vector<Falloff> falloffs{Falloff::kHard, Falloff::kSao};
+    const ViewTruth truth = MeasureViewTruth(caster, scene, camera, falloffs,
+                                             {.radius_m = 1, .spp = 64, .far = false});
+    const std::vector<GuardRow> guards = StudyGuardBand(scene, camera, truth, sao, Ticking());
+    ASSERT_EQ(guards.size(), 6u);
+    EXPECT_EQ(guards.front().guard_px, 0);
+    EXPECT_EQ(guards.back().rms_to_widest.value, 0);
+    EXPECT_GT(guards.front().rms_to_widest.value, 0);
+    const GBuffer gbuffer = DrawGBuffer(scene, camera, {.guard_px = 8});
+    const std::vector<PyramidRow> pyramids =
+        StudyPyramid({gbuffer, scene, camera, caster}, truth, sao);
+    ASSERT_EQ(pyramids.size(), 7u);
+    EXPECT_EQ(pyramids[0].rms_to_none.value, 0);
+    // Of nearest and farthest depth, the nearest occludes more, so A is smaller.
+    EXPECT_LT(pyramids[6].bias_to_none.value, pyramids[5].bias_to_none.value);
 }
 
 TEST(SweepTechniques, MarksWhatNothingBeats) {

@@ -212,11 +212,15 @@ MeshFile ReadMesh(const std::filesystem::path& path, const MeshFileOptions& opti
     CheckPlyHeader(path);
     try {
         const Warnings warnings;
-        const auto parse_and_drop = [&] {
+        // Everything that asks assimp for something; pictures are not its business.
+        const auto try_all = [&] {
+            MeshFileOptions without_textures = options;
+            without_textures.textures = false;
             Assimp::Importer importer;
-            Parse(importer, file);
+            const aiScene* scene = Parse(importer, file);
+            if (scene) Converter(path, without_textures).Convert(*scene);
         };
-        if (!Survives(parse_and_drop)) {
+        if (!Survives(try_all)) {
             throw Error(file + ": is damaged: its reader breaks down over it");
         }
         Assimp::Importer importer;

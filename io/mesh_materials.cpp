@@ -40,6 +40,21 @@ Named NamedTexture(const aiMaterial& material, std::initializer_list<aiTextureTy
     return {};
 }
 
+// What a glTF says of its textures' opacity.
+struct Mask {
+    bool is_one = false;
+    float cutoff = kSolidOpacity;
+};
+
+Mask MaskOf(const aiMaterial& material) {
+    Mask mask;
+    aiString mode;
+    mask.is_one = material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS &&
+                  std::string(mode.C_Str()) == "MASK";
+    material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, mask.cutoff);
+    return mask;
+}
+
 class MaterialReader {
   public:
     MaterialReader(const aiScene& scene, const std::filesystem::path& mesh_path,
@@ -62,6 +77,7 @@ class MaterialReader {
         ReadColour(from, material);
         Named colours = NamedTexture(from, {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR});
         Named opacity = NamedTexture(from, {aiTextureType_OPACITY});
+        const Mask mask = MaskOf(from);
         if (!options_.textures) {
             if (!colours.path.empty() || !opacity.path.empty()) {
                 Note(material, "texture left out as asked, constant colour instead");
@@ -72,7 +88,7 @@ class MaterialReader {
         if (!shown.repeats) Note(material, "texture repeats here, the file says otherwise");
         if (!shown.path.empty()) {
             material.texture = TextureOf(colours.path, opacity.path, material);
-            material.alpha_tested = IsAlphaTested(from, material, !opacity.path.empty());
+            material.alpha_tested = IsAlphaTested(mask, material, !opacity.path.empty());
         }
         out_.uv_channel.push_back(shown.uv_channel);
         out_.materials.push_back(std::move(material));
@@ -93,18 +109,13 @@ class MaterialReader {
         if (clamped) Note(material, "colour out of [0, 1], clamped");
     }
 
-    bool IsAlphaTested(const aiMaterial& from, const Material& material, bool has_map) {
+    bool IsAlphaTested(const Mask& mask, const Material& material, bool has_map) {
         if (out_.textures[std::size_t(material.texture)].opacity.Empty()) return false;
         if (options_.alpha_tested) return *options_.alpha_tested;
-        aiString mode;
-        const bool masked = from.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS &&
-                            std::string(mode.C_Str()) == "MASK";
-        float cutoff = kSolidOpacity;
-        if (masked && from.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff) == aiReturn_SUCCESS &&
-            cutoff != kSolidOpacity) {
-            Note(material, "alpha cutoff " + std::to_string(cutoff) + ", 0.5 here");
+        if (mask.is_one && mask.cutoff != kSolidOpacity) {
+            Note(material, "alpha cutoff " + std::to_string(mask.cutoff) + ", 0.5 here");
         }
-        return masked || has_map;
+        return mask.is_one || has_map;
     }
 
     // Number of the texture with these pictures, read if it is new.

@@ -1,6 +1,7 @@
 #include "io/survives.h"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@ namespace plumb {
 namespace {
 
 [[noreturn]] void RunChild(const std::function<void()>& work) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // Nobody waits for an orphan.
     const rlimit none{.rlim_cur = 0, .rlim_max = 0};
     setrlimit(RLIMIT_CORE, &none);
     const int nowhere = open("/dev/null", O_WRONLY);

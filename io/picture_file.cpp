@@ -32,8 +32,6 @@ constexpr std::array kKnown{
     Known{"\x76\x2f\x31\x01"sv, "exr"},
     Known{"#?"sv, "hdr"},
     Known{"GIF8"sv, "gif"},
-    Known{"RIFF"sv, "webp"},
-    Known{"DDS "sv, "dds"},
 };
 
 std::string FormatOf(std::string_view bytes, const std::string& name) {
@@ -45,8 +43,7 @@ std::string FormatOf(std::string_view bytes, const std::string& name) {
                            [](unsigned char c) { return char(std::tolower(c)); });
     if (ending == ".tga") return "tga";
     throw Error(name +
-                ": is no picture of a known format (PNG, JPEG, TGA, BMP, TIFF, EXR, "
-                "HDR, GIF, WebP, DDS)");
+                ": is no picture of a known format (PNG, JPEG, TGA, BMP, TIFF, EXR, HDR, GIF)");
 }
 
 double Linear(double encoded) {  // [IEC61966]

@@ -1,8 +1,10 @@
 // Pictures as artists have them: textures and skies in any common format.
 //
-// PNG, JPEG, TGA, BMP, TIFF, OpenEXR, Radiance HDR, GIF, WebP, DDS, known by their content; a
-// TGA, which has no mark, by its ending. Integers of colours are taken as sRGB-encoded and are
+// PNG, JPEG, TGA, BMP, TIFF, OpenEXR, Radiance HDR, GIF, known by their content; a TGA, which
+// has no mark, by its ending. Integers of colours are taken as sRGB-encoded and are
 // decoded; floats, and numbers that are no colours, are linear.
+//
+// Colours are taken as stored, not multiplied by an alpha nor divided by it.
 //
 // Beware   For data, not looks, take io/stored_image.h: it refuses formats that lose some. Of a
 //          cut-off JPEG decoders may return the part that is there.

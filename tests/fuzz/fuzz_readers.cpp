@@ -140,7 +140,7 @@ std::vector<Kind> Kinds(const fs::path& folder) {
         kinds.push_back({id, ending, Get(path), ReadAsMesh});
     }
     const auto picture = [](const fs::path& path) { ReadPictureFile(path); };
-    for (const char* ending : {"png", "jpg", "tga", "bmp", "tif", "gif", "webp", "dds"}) {
+    for (const char* ending : {"png", "jpg", "tga", "bmp", "tif", "gif"}) {
         for (const int channels : {3, 4}) {
             kinds.push_back(
                 {std::string("picture_") + ending + std::to_string(channels), ending,

@@ -1,4 +1,5 @@
 // Normals, texture coordinates and textures of mesh files.
+#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -220,6 +221,32 @@ TEST_F(MeshTextures, FieldsThatContradictAreRefused) {
     EXPECT_EQ(complaint(R"("textures": false, "alpha_tested": true)"),
               "scene.json: meshes[0].alpha_tested without textures, must have them");
     EXPECT_THAT(complaint(R"("alpha_tested": 1)"), HasSubstr("must be true or false"));
+}
+
+// Every common format, written by OpenImageIO: full red and half (encoded 188: [IEC61966] 0.503)
+// green and blue come back. Tolerance: 8 bits, and what JPEG loses of an even colour.
+TEST_F(MeshTextures, PicturesOfEveryFormatAreRead) {
+    for (const char* ending : {"png", "jpg", "tga", "bmp", "tif", "gif", "exr", "hdr"}) {
+        const bool is_float = ending[0] == 'e' || ending[0] == 'h';
+        const float half = is_float ? 0.503f : 188.0f / 255;
+        const std::string name = std::string("picture.") + ending;
+        OIIO::ImageSpec spec(16, 16, 3,
+                             is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+        const auto output = OIIO::ImageOutput::create(Path(name).string());
+        ASSERT_TRUE(output && output->open(Path(name).string(), spec)) << ending;
+        std::vector<float> numbers;
+        for (int k = 0; k < 256; ++k) numbers.insert(numbers.end(), {1, half, half});
+        output->write_image(OIIO::TypeDesc::FLOAT, numbers.data());
+        output->close();
+        const Picture picture = ReadPictureFile(Path(name));
+        EXPECT_NEAR(picture.linear(8, 8)[0], 1, 0.02) << ending;
+        EXPECT_NEAR(picture.linear(8, 8)[1], 0.503, 0.02) << ending;
+        EXPECT_TRUE(picture.opacity.Empty()) << ending;
+        // Known by its content: the ending may lie, but for TGA.
+        if (std::string(ending) == "tga") continue;
+        Put("picture.bin", Get(name));
+        EXPECT_EQ(ReadPictureFile(Path("picture.bin")).linear, picture.linear) << ending;
+    }
 }
 
 // Law: a float picture is linear, an 8-bit one sRGB-encoded; opacity and numbers never are.

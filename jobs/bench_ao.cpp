@@ -50,8 +50,10 @@ AoSizeBench BenchSize(const Scene& scene, Camera camera, const TimedSize& size,
     full.sampling.taps.coarsest_level = 0;
     const ZPyramid pyramid = BuildZPyramid(gbuffer, far), none = BuildZPyramid(gbuffer, full),
                    for_alchemy = BuildZPyramid(gbuffer, alchemy);
+    SaoScratch sao_memory, alchemy_memory;  // As an engine keeps its targets.
     const auto s = InTurns(
-        {[&] { SaoObscurance(gbuffer, sao); }, [&] { SaoObscurance(gbuffer, alchemy); },
+        {[&] { SaoObscurance(gbuffer, sao, sao_memory); },
+         [&] { SaoObscurance(gbuffer, alchemy, alchemy_memory); },
          [&] { SamplePass(gbuffer, pyramid, near); },
          [&] { SamplePass(gbuffer, pyramid, far); }, [&] { SamplePass(gbuffer, none, full); },
          [&] { SamplePass(gbuffer, for_alchemy, alchemy); }},

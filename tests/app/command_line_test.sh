@@ -45,6 +45,12 @@ left fitted report.html report.json scores.csv constants.csv plumb_light.glsl pl
   plumb_light.h
 ! grep -q "$dir" fitted/report.json || { echo "FAILED: a path of the machine in a report"; failed=1; }
 
+# The rasterizer's sizes are the program's own, so this takes a few seconds.
+refused 'must be one of' "$plumb" bench raster make:nothing
+refused 'not in range 1 to 16384' "$plumb" bench raster --width 0
+expect 0 '' "$plumb" bench raster make:cornell_box --width 64 --height 48 --rounds 1 --out bench --quiet
+left bench bench_raster.json
+
 # Ctrl-C: status 130, nothing half-written.
 "$plumb" simulate make:stone_wall:512 --out interrupted --quiet 2>stderr &
 pid=$!

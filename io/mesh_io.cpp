@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "io/mesh_header.h"
 #include "io/mesh_materials.h"
 #include "io/survives.h"
 
@@ -29,22 +30,6 @@ Vec3 UpIsZ(const aiVector3D& p, UpAxis up) {
             return {p.x, p.y, p.z};
     }
     return Vec3::Zero();
-}
-
-// assimp 5.2 reads on for ever in a PLY header that does not end.
-void CheckPlyHeader(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char c) { return std::tolower(c); });
-    if (ending != ".ply") return;
-    constexpr std::size_t kLongestHeader = 1 << 16;
-    std::string head(kLongestHeader, '\0');
-    std::ifstream in(path, std::ios::binary);
-    in.read(head.data(), std::streamsize(head.size()));
-    head.resize(std::size_t(in.gcount()));
-    if (head.find("end_header") == std::string::npos) {
-        throw Error(path.string() + ": PLY header has no end");
-    }
 }
 
 Vec3f UnitOrZero(const Vec3& n) {
@@ -209,7 +194,7 @@ MeshFile ReadMesh(const std::filesystem::path& path, const MeshFileOptions& opti
         !probe || std::filesystem::is_directory(path)) {
         throw Error(file + ": cannot be read");
     }
-    CheckPlyHeader(path);
+    CheckMeshHeader(path);
     try {
         const Warnings warnings;
         // Everything that asks assimp for something; pictures are not its business.

@@ -159,6 +159,10 @@ TEST_F(SceneFiles, RefuseBadMeshes) {
     breaks_down("none.ply", "ply\nformat ascii 1.0\n" + head + "0 0 0\n1 0 0\n0 1 0\n0\n");
     breaks_down("short.ply", "ply\nformat binary_little_endian 1.0\n" + head +
                                  std::string(36, '\0') + "\xff");
+    EXPECT_EQ(
+        complaint("long.glb",
+                  std::string("glTF\2\0\0\0\x20\0\0\0\xf0\xff\xff\xffJSON{ }  ", 28)),
+        "long.glb: is cut off or damaged: a chunk of 4294967280 bytes ends beyond the file");
     EXPECT_THROW(ReadMesh(folder_), Error);
     Write("square.obj", kObj);
     EXPECT_THROW(ReadMesh(folder_ / "square.obj", {.unit_m = 0}), Error);

@@ -1,0 +1,57 @@
+#include "io/mesh_header.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <fstream>
+#include <string>
+
+#include "core/error.h"
+
+namespace plumb {
+namespace {
+
+void CheckPly(const std::filesystem::path& path) {
+    constexpr std::size_t kLongestHeader = 1 << 16;
+    std::string head(kLongestHeader, '\0');
+    std::ifstream in(path, std::ios::binary);
+    in.read(head.data(), std::streamsize(head.size()));
+    head.resize(std::size_t(in.gcount()));
+    if (head.find("end_header") == std::string::npos) {
+        throw Error(path.string() + ": PLY header has no end");
+    }
+}
+
+std::uint32_t LittleEndian(std::ifstream& in) {
+    unsigned char bytes[4] = {};
+    in.read(reinterpret_cast<char*>(bytes), 4);
+    return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | std::uint32_t(bytes[3]) << 24;
+}
+
+void CheckGlb(const std::filesystem::path& path) {
+    const std::uintmax_t size = std::filesystem::file_size(path);
+    std::ifstream in(path, std::ios::binary);
+    in.seekg(12);
+    std::uintmax_t at = 12;
+    while (at + 8 <= size) {
+        const std::uint32_t length = LittleEndian(in);
+        at += 8 + std::uintmax_t(length);
+        if (at > size) {
+            throw Error(path.string() + ": is cut off or damaged: a chunk of " +
+                        std::to_string(length) + " bytes ends beyond the file");
+        }
+        in.seekg(std::streamoff(at));
+    }
+}
+
+}  // namespace
+
+void CheckMeshHeader(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](unsigned char c) { return char(std::tolower(c)); });
+    if (ending == ".ply") CheckPly(path);
+    if (ending == ".glb") CheckGlb(path);
+}
+
+}  // namespace plumb

@@ -91,6 +91,12 @@ SaoOptions CommonFilter(bool filter) {
     return options;
 }
 
+// What is shown, and as far beyond as that filter reads.
+PixelRect WhereSampled(const TechniqueInput& in) {
+    const BlurOptions& blur = CommonFilter(true).blur;
+    return ShownAndMargin(in.gbuffer.view, blur.taps_each_side * blur.stride_px);
+}
+
 template <class Make>
 Technique Sampled(std::string name, Falloff falloff, int samples, bool filter, Make make) {
     return {std::move(name), falloff, samples,
@@ -133,7 +139,8 @@ void Validate(const TechniqueSettings& s) {
 std::vector<std::string> TechniqueNames() {
     std::vector<std::string> names;
     for (const std::string& preset : kSaoNames) names.push_back("sao-" + preset);
-    for (const char* name : {"alchemy", "hbao", "gtao", "bitmask", "bitmask-cosine"}) {
+    for (const char* name :
+         {"alchemy", "hbao", "gtao", "gtao-hard", "bitmask", "bitmask-cosine"}) {
         names.push_back(name);
     }
     for (const int rays : kRayCounts) names.push_back("rays-" + std::to_string(rays));
@@ -183,16 +190,23 @@ Technique TechniqueNamed(const std::string& name, const TechniqueSettings& setti
     if (name == "hbao") {
         HbaoOptions options;
         SetSamples(options.sampling, settings);
-        return Sampled(
-            name, Falloff::kQuadratic, SamplesOf(options.sampling), settings.filter,
-            [options](const TechniqueInput& in) { return Hbao(in.gbuffer, options); });
+        return Sampled(name, Falloff::kQuadratic, SamplesOf(options.sampling), settings.filter,
+                       [options](const TechniqueInput& in) {
+                           return Hbao(in.gbuffer, options, WhereSampled(in));
+                       });
     }
-    if (name == "gtao") {
+    if (name == "gtao" || name == "gtao-hard") {
         GtaoOptions options;
         SetSamples(options.sampling, settings);
-        return Sampled(
-            name, Falloff::kFarEnd, SamplesOf(options.sampling), settings.filter,
-            [options](const TechniqueInput& in) { return Gtao(in.gbuffer, options); });
+        if (name == "gtao-hard") {
+            options.falloff_start = 1;
+            options.normalize = true;
+        }
+        return Sampled(name, name == "gtao" ? Falloff::kFarEnd : Falloff::kHard,
+                       SamplesOf(options.sampling), settings.filter,
+                       [options](const TechniqueInput& in) {
+                           return Gtao(in.gbuffer, options, WhereSampled(in));
+                       });
     }
     if (name == "bitmask" || name == "bitmask-cosine") {
         const BitmaskOptions options =
@@ -201,7 +215,7 @@ Technique TechniqueNamed(const std::string& name, const TechniqueSettings& setti
                 : Bitmask(SectorMeasure::kCosine, SectorRounding::kRound, settings);
         return Sampled(name, Falloff::kHard, SamplesOf(options.sampling), settings.filter,
                        [options](const TechniqueInput& in) {
-                           return VisibilityBitmask(in.gbuffer, options);
+                           return VisibilityBitmask(in.gbuffer, options, WhereSampled(in));
                        });
     }
     for (const int rays : kRayCounts) {

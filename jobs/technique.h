@@ -2,7 +2,9 @@
 //
 //       sao-paper, sao-supplement2012, sao-g3d10     [McGuire12], three generations of constants
 //       alchemy                                      its baseline
-//       hbao, gtao, bitmask, bitmask-cosine          peers on the same G-buffer
+//       hbao, gtao, bitmask                          peers on the same G-buffer, as shipped
+//       gtao-hard                                    GTAO cut off hard at r, each pixel normalized
+//       bitmask-cosine                               sectors even in cosine, ends rounded alike
 //       rays-1, rays-2, rays-4, rays-8               ray-traced V within r
 //
 // All but the baseline's and SAO's own are followed by one and the same filter, that of SAO's

@@ -59,6 +59,9 @@ class Warnings {
             while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) {
                 line.pop_back();
             }
+            // "Warn,  T0: what"; and what every OBJ without an "o" line is told.
+            if (const std::size_t colon = line.find(": "); colon < 12) line.erase(0, colon + 2);
+            if (line.find("No object detected") != std::string::npos) return;
             if (lines.size() < kMostWarnings) lines.push_back(line);
         }
         std::vector<std::string>& lines;

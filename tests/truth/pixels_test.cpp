@@ -88,6 +88,54 @@ TEST(LookThrough, ShowsTwoPlanesWhereTheyAre) {
     EXPECT_GE(pixels.seen_from_behind, board);
 }
 
+// By hand: the camera looks straight down on a square whose texture has a red left and a blue
+// right half (two texels: beyond their centres, at 1/4 and 3/4, the colours are pure only at
+// the centres themselves), times the material's albedo.
+TEST(LookThrough, AlbedoIsThatOfTheTextureThere) {
+    Scene scene;
+    AddQuad(scene.mesh, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+    scene.mesh.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    scene.material_of_face = {0};
+    scene.materials = {{.name = "m", .albedo = {0.5f, 1, 1}, .texture = 0}};
+    Texture texture{.name = "", .albedo = Image<Rgb>(2, 1), .opacity = {}};
+    texture.albedo(0, 0) = {1, 0, 0};
+    texture.albedo(1, 0) = {0, 0, 1};
+    scene.textures = {texture};
+    scene.cameras = {{.position_m = {0, 0, 1},
+                      .target_m = {0, 0, 0},
+                      .up = {0, 1, 0},
+                      .fov_rad = kPi / 2,
+                      .width_px = 2,
+                      .height_px = 2}};
+    const EmbreeCaster caster(scene);
+    const PixelGeometry pixels = LookThrough(caster, scene, scene.cameras[0]);
+    EXPECT_NEAR(pixels.albedo(0, 0)[0], 0.5, 1e-5);
+    EXPECT_NEAR(pixels.albedo(0, 0)[2], 0, 1e-5);
+    EXPECT_NEAR(pixels.albedo(1, 1)[0], 0, 1e-5);
+    EXPECT_NEAR(pixels.albedo(1, 1)[2], 1, 1e-5);
+}
+
+// Expected: a lone plane tilted by 60 degrees sees, of a sky that ends at the horizon, the
+// cosine-weighted share (1 + cos 60) / 2 = 3/4 and the solid angle 2/3; the rest is counted.
+TEST(OpenSky, EndsAtTheHorizonIfToldSo) {
+    Mesh mesh;
+    const double c = 0.5, s = std::sqrt(3) / 2;
+    AddQuad(mesh, {-1, -c, -s}, {1, -c, -s}, {1, c, s}, {-1, c, s});
+    const EmbreeCaster caster(mesh);
+    const Receiver receiver{.triangle = 0};
+    for (const auto& [weighting, exact] : {std::pair{HemisphereWeight::kCosine, 0.75},
+                                           std::pair{HemisphereWeight::kUniform, 2.0 / 3}}) {
+        const OpenCounts counts = CountOpenSky(caster, mesh, std::span(&receiver, 1),
+                                               {.sampling = {.replicates = 16, .points = 1024},
+                                                .weighting = weighting,
+                                                .sky = Sky::kAbove});
+        const Measured V = counts.Of(0);
+        EXPECT_NEAR(V.value, exact, Sigmas(16) * V.standard_error);
+        EXPECT_LT(V.standard_error, 1e-3);
+        EXPECT_EQ(counts.lost.All(), std::int64_t(std::llround((1 - V.value) * 16 * 1024)));
+    }
+}
+
 // Expected: of an endless wall at the distance x, with c = x / r and s = sqrt(1 - c^2), in the
 // unit disk of (w_x, w_y), where d = x / w_x:
 //   hard    1 - (acos c - c s) / pi

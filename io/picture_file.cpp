@@ -76,10 +76,8 @@ Channels ChannelsOf(const OIIO::ImageSpec& spec) {
     return {{named("R", 0), named("G", 1), named("B", 2)}, opacity};
 }
 
-}  // namespace
-
-Picture DecodePicture(std::string_view bytes, const std::string& name, PictureOf of,
-                      std::int64_t max_numbers) {
+Picture Decode(std::string_view bytes, const std::string& name, PictureOf of,
+               std::int64_t max_numbers) {
     if (bytes.empty()) throw Error(name + ": is empty");
     const std::string format = FormatOf(bytes, name);
     if (format == "png") CheckPngIsWhole(name, bytes);
@@ -125,6 +123,21 @@ Picture DecodePicture(std::string_view bytes, const std::string& name, PictureOf
         }
     }
     return picture;
+}
+
+}  // namespace
+
+Picture DecodePicture(std::string_view bytes, const std::string& name, PictureOf of,
+                      std::int64_t max_numbers) {
+    try {
+        return Decode(bytes, name, of, max_numbers);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw MachineError(name + ": out of memory");
+    } catch (const std::exception& error) {  // Some decoders throw what they like.
+        throw Error(name + ": is damaged: " + error.what());
+    }
 }
 
 Picture ReadPictureFile(const std::filesystem::path& path, PictureOf of,

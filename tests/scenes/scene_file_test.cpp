@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "io/image_io.h"
 #include "io/mesh_io.h"
 
 namespace plumb {
@@ -102,6 +103,35 @@ TEST_F(SceneFiles, ReadEveryField) {
     EXPECT_EQ(camera.height_px, 32);
     EXPECT_EQ(camera.up, Vec3(0, 1, 1));
     EXPECT_EQ(file.files.size(), 3u);
+}
+
+TEST_F(SceneFiles, ReadSkiesAndHeights) {
+    WriteExr(folder_ / "sky.exr", {{"R", Image<float>(2, 1, 1)},
+                                   {"G", Image<float>(2, 1, 2)},
+                                   {"B", Image<float>(2, 1, 30)}});
+    const SceneFile file = ReadSceneFile(Write("sky.json", R"({
+        "heights": [{"file": "map.png", "albedo": [0.1, 0.2, 0.3], "amplitude_m": 0.5, "tiles": 3},
+                    {"file": "make:bricks:32"}],
+        "environment": "sky.exr", "environment_turn_deg": 90})"));
+    EXPECT_EQ(file.scene.light.environment.radiance(1, 0), (Rgb{1, 2, 30}));
+    EXPECT_DOUBLE_EQ(file.scene.light.environment.turn_rad, std::numbers::pi / 2);
+    EXPECT_TRUE(file.has_light);
+    ASSERT_EQ(file.heights.size(), 2u);
+    EXPECT_EQ(file.heights[0].name, (folder_ / "map.png").string());
+    EXPECT_EQ(file.heights[0].albedo, (Rgb{0.1f, 0.2f, 0.3f}));
+    EXPECT_EQ(file.heights[0].amplitude_m, 0.5);
+    EXPECT_EQ(file.heights[0].tiles, 3);
+    EXPECT_EQ(file.heights[1].name, "make:bricks:32");
+    EXPECT_EQ(file.heights[1].tiles, 1);
+    EXPECT_EQ(Complaint(R"({"generator": "a", "environment": "gone.exr"})"),
+              "gone.exr: cannot be read: No such file or directory");
+    EXPECT_EQ(Complaint(R"({"generator": "a", "environment_turn_deg": 1})"),
+              "scene.json: environment_turn_deg without environment, must have one");
+    EXPECT_EQ(Complaint(R"({"heights": [{"file": "a.png", "tiles": 17}]})"),
+              "scene.json: heights[0].tiles = 17, must be a whole number in [0, 16]");
+    EXPECT_EQ(Complaint(R"({"heights": []})"), "scene.json: heights is empty");
+    EXPECT_NE(Complaint(R"({"generator": "a", "heights": [{"file": "a.png"}]})").find("either"),
+              std::string::npos);
 }
 
 TEST_F(SceneFiles, NameWhatIsWrong) {

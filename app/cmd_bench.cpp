@@ -3,13 +3,12 @@
 // Options -> struct -> call -> print.
 #include <sys/resource.h>
 
-#include <iostream>
 #include <memory>
 #include <string>
 
+#include "app/bench_output.h"
 #include "app/command.h"
 #include "jobs/bench_light.h"
-#include "jobs/write_results.h"
 
 namespace plumb::app {
 namespace {
@@ -30,12 +29,7 @@ void Run(const Options& o) {
     const auto monitor = MakeMonitor(o.common);
     const LightBench bench =
         BenchLight(LoadSurface(o.map), o.settings, NowS, PeakMemoryBytes, *monitor);
-    WriteBenchResults(o.common.out, bench);
-    if (o.common.json) {
-        std::cout << ToJsonText(bench);
-    } else if (!o.common.quiet) {
-        WriteTable(std::cout, bench);
-    }
+    Publish(bench, o.common);
 }
 
 }  // namespace

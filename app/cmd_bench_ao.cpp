@@ -1,16 +1,15 @@
 // plumb bench ao: SAO and AlchemyAO at the paper's sizes.
 //
 // Options -> struct -> call -> print.
-#include <iostream>
 #include <memory>
 #include <string>
 
+#include "app/bench_output.h"
 #include "app/command.h"
 #include "core/parallel.h"
 #include "jobs/bench_ao.h"
 #include "jobs/load_scene.h"
 #include "jobs/render_scene.h"
-#include "jobs/write_results.h"
 
 namespace plumb::app {
 namespace {
@@ -32,12 +31,7 @@ void Run(const Options& o) {
     }
     const AoBench bench =
         BenchAo(loaded.scene, CameraNamed(loaded.scene, o.camera), settings, NowS, *monitor);
-    WriteBenchResults(o.common.out, bench);
-    if (o.common.json) {
-        std::cout << ToJsonText(bench);
-    } else if (!o.common.quiet) {
-        WriteTable(std::cout, bench);
-    }
+    Publish(bench, o.common);
 }
 
 }  // namespace

@@ -1,14 +1,13 @@
 // plumb bench raster: the reference rasterizer beside this machine's memory.
 //
 // Options -> struct -> call -> print.
-#include <iostream>
 #include <memory>
 #include <string>
 
+#include "app/bench_output.h"
 #include "app/command.h"
 #include "jobs/bench_raster.h"
 #include "jobs/load_scene.h"
-#include "jobs/write_results.h"
 
 namespace plumb::app {
 namespace {
@@ -22,12 +21,7 @@ struct Options {
 void Run(const Options& o) {
     const auto monitor = MakeMonitor(o.common);
     const RasterBench bench = BenchRaster(LoadScene(o.scene).scene, o.settings, NowS, *monitor);
-    WriteBenchResults(o.common.out, bench);
-    if (o.common.json) {
-        std::cout << ToJsonText(bench);
-    } else if (!o.common.quiet) {
-        WriteTable(std::cout, bench);
-    }
+    Publish(bench, o.common);
 }
 
 }  // namespace

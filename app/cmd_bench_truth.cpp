@@ -1,13 +1,12 @@
 // plumb bench truth: the path tracer beside bare Embree, a furnace and independent sampling.
 //
 // Options -> struct -> call -> print.
-#include <iostream>
 #include <memory>
 #include <string>
 
+#include "app/bench_output.h"
 #include "app/command.h"
 #include "jobs/bench_truth.h"
-#include "jobs/write_results.h"
 
 namespace plumb::app {
 namespace {
@@ -21,12 +20,7 @@ struct Options {
 void Run(const Options& o) {
     const auto monitor = MakeMonitor(o.common);
     const TruthBench bench = BenchTruth(LoadScene(o.scene), o.settings, NowS, *monitor);
-    WriteBenchResults(o.common.out, bench);
-    if (o.common.json) {
-        std::cout << ToJsonText(bench);
-    } else if (!o.common.quiet) {
-        WriteTable(std::cout, bench);
-    }
+    Publish(bench, o.common);
 }
 
 }  // namespace

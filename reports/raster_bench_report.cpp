@@ -1,22 +1,11 @@
 #include "reports/raster_bench_report.h"
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "reports/json_text.h"
+#include "reports/text.h"
 
 namespace plumb {
-namespace {
-
-template <class... Values>
-std::string Line(const char* format, Values... values) {
-    char text[256];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
-
-}  // namespace
-
 nlohmann::ordered_json ToJson(const RasterBench& b) {
     nlohmann::ordered_json json;
     json["scene"] = b.scene;

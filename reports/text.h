@@ -3,6 +3,7 @@
 // Independent of any locale. What is not finite is a dash for people and empty for machines.
 #pragma once
 
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,14 @@ std::string Csv(std::string_view text);
 /// Padded with spaces to so many columns of a terminal (UTF-8 is counted by characters).
 std::string Left(std::string_view text, int columns);
 std::string Right(std::string_view text, int columns);
+
+/// printf into a string, of at most 255 bytes.
+template <class... Values>
+std::string Line(const char* format, Values... values) {
+    char text[256];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
 
 /// "a, b and c"
 std::string Listed(const std::vector<std::string>& items);

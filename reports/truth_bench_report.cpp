@@ -1,19 +1,12 @@
 #include "reports/truth_bench_report.h"
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "reports/json_text.h"
+#include "reports/text.h"
 
 namespace plumb {
 namespace {
-
-template <class... Values>
-std::string Line(const char* format, Values... values) {
-    char text[256];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
 
 long long Whole(std::int64_t n) {
     return n;

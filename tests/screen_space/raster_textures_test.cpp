@@ -88,6 +88,34 @@ TEST(RasterTextures, HolesTexturesAndNormalsAreThoseThatRaysSee) {
     EXPECT_LE(differ, 3);
 }
 
+// Expected: by definition, of surfaces at one depth the first in the mesh is seen, whichever of
+// them may have holes.
+TEST(RasterTextures, HolesDoNotChangeTheOrder) {
+    Scene scene = Boards();
+    scene.mesh.quads = {{0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3}};
+    scene.materials.push_back({.name = "whole"});
+    const Camera camera = PixelCamera(120, 100);
+    for (const std::vector<std::uint16_t>& materials :
+         {std::vector<std::uint16_t>{1, 0, 1}, {0, 1, 1}, {0, 0, 1}}) {
+        scene.material_of_face = materials;
+        const GBuffer g = DrawGBuffer(scene, camera);
+        RasterOptions options;
+        options.texture_coordinates = true;
+        const GBuffer again = DrawGBuffer(scene, camera, options);
+        int seen[3] = {};
+        for (std::size_t p = 0; p < g.triangle.Pixels().size(); ++p) {
+            if (g.triangle.Pixels()[p] == GBuffer::kSky) continue;
+            const float opacity = SampleOpacity(scene.textures[0], again.uv.Pixels()[p]);
+            if (std::abs(opacity - 0.5f) < 1e-4f) continue;
+            std::uint32_t first = 0;
+            while (materials[first] == 0 && opacity < 0.5f) ++first;
+            ASSERT_EQ(g.triangle.Pixels()[p] / 2, first);
+            ++seen[first];
+        }
+        EXPECT_GT(seen[0], 100);
+    }
+}
+
 // Expected: by definition, holes are only where the opacity is below 1/2.
 TEST(RasterTextures, WithoutTheTestTheBoardIsWhole) {
     Scene scene = Boards();

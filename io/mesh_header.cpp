@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstdint>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "core/error.h"
@@ -17,8 +18,21 @@ void CheckPly(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
     in.read(head.data(), std::streamsize(head.size()));
     head.resize(std::size_t(in.gcount()));
-    if (head.find("end_header") == std::string::npos) {
-        throw Error(path.string() + ": PLY header has no end");
+    const std::size_t end = head.find("end_header");
+    if (end == std::string::npos) throw Error(path.string() + ": PLY header has no end");
+    // Each element takes a byte at least.
+    const double size = double(std::filesystem::file_size(path));
+    std::istringstream words(head.substr(0, end));
+    for (std::string word, name; words >> word;) {
+        double count = 0;
+        if (word != "element" || !(words >> name >> count)) {
+            words.clear();
+            continue;
+        }
+        if (count > size) {
+            throw Error(MustBe(path.string() + ": element " + name, count,
+                               "at most the bytes of the file"));
+        }
     }
 }
 

@@ -249,6 +249,19 @@ TEST_F(MeshTextures, PicturesOfEveryFormatAreRead) {
     }
 }
 
+// Found by tests/fuzz: a size of which the decoder takes a negative number of bytes.
+TEST_F(MeshTextures, AGifThatClaimsAHugeSizeIsRefused) {
+    OIIO::ImageSpec spec(4, 4, 3, OIIO::TypeDesc::UINT8);
+    const auto output = OIIO::ImageOutput::create(Path("good.gif").string());
+    ASSERT_TRUE(output && output->open(Path("good.gif").string(), spec));
+    const std::vector<float> numbers(48, 0.5f);
+    output->write_image(OIIO::TypeDesc::FLOAT, numbers.data());
+    output->close();
+    std::string bytes = Get("good.gif");
+    bytes.replace(6, 4, "\x0cnan");
+    EXPECT_THROW(ReadPictureFile(Put("huge.gif", bytes)), Error);
+}
+
 // Law: a float picture is linear, an 8-bit one sRGB-encoded; opacity and numbers never are.
 TEST_F(MeshTextures, PicturesAreDecodedByWhatTheyAre) {
     Image<double> half(1, 1, 0.5);

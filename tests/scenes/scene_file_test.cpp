@@ -193,6 +193,9 @@ TEST_F(SceneFiles, RefuseBadMeshes) {
         complaint("long.glb",
                   std::string("glTF\2\0\0\0\x20\0\0\0\xf0\xff\xff\xffJSON{ }  ", 28)),
         "long.glb: is cut off or damaged: a chunk of 4294967280 bytes ends beyond the file");
+    EXPECT_EQ(
+        complaint("many.ply", "ply\nformat ascii 1.0\nelement vertex 2147483648\n" + head),
+        "many.ply: element vertex = 2147483648, must be at most the bytes of the file");
     EXPECT_THROW(ReadMesh(folder_), Error);
     Write("square.obj", kObj);
     EXPECT_THROW(ReadMesh(folder_ / "square.obj", {.unit_m = 0}), Error);

@@ -109,7 +109,7 @@ ViewBench BenchView(const Scene& scene, Camera camera, const RasterBenchSettings
     const std::vector<double> seconds =
         InTurns({[&] { both.Draw(scene.mesh, camera, {}); },
                  [&] { depth.Draw(scene.mesh, camera, {}, false); },
-                 [&] { g = DrawGBuffer(whole, scene, camera, {}); }, std::ref(copy)},
+                 [&] { DrawGBuffer(whole, scene, camera, {}, g); }, std::ref(copy)},
                 settings.rounds, clock, monitor);
     const std::vector<std::uint32_t>& seen = g.triangle.Pixels();
     return {.camera = camera.name,

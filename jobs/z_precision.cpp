@@ -79,7 +79,8 @@ void JudgeView(const Scene& scene, const Camera& camera, const ZPrecisionSetting
     Rasterizer rasterizer;
     RasterOptions options;
     options.range.near_m = settings.near_m;
-    const GBuffer exact = DrawGBuffer(rasterizer, scene, camera, options);
+    GBuffer exact, drawn;
+    DrawGBuffer(rasterizer, scene, camera, options, exact);
     options.z = ZSource::kStored;
     for (const VertexPath vertices : {VertexPath::kDouble, VertexPath::kFloat}) {
         for (const DepthFormat format : {DepthFormat::kD16, DepthFormat::kD24,
@@ -90,7 +91,7 @@ void JudgeView(const Scene& scene, const Camera& camera, const ZPrecisionSetting
                 options.depth = format;
                 options.range.far_m =
                     infinite ? std::numeric_limits<double>::infinity() : settings.far_m;
-                const GBuffer drawn = DrawGBuffer(rasterizer, scene, camera, options);
+                DrawGBuffer(rasterizer, scene, camera, options, drawn);
                 DrawnPrecision row;
                 row.camera = camera.name;
                 row.vertices = vertices == VertexPath::kDouble ? "double" : "float";

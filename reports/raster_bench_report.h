@@ -17,7 +17,7 @@ struct ViewBench {
     std::string camera;
     double visibility_s = 0;  ///< Depth and triangle number.
     double depth_s = 0;       ///< Depth alone.
-    double gbuffer_s = 0;     ///< All of a G-buffer, its memory included.
+    double gbuffer_s = 0;     ///< All of a G-buffer.
     double copy_s = 0;        ///< Copying depth and triangle number of the picture.
     double covered = 0;       ///< Share of the pixels that show a surface.
 };

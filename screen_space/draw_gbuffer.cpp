@@ -30,31 +30,45 @@ struct Seen {
                        normal.z() * frame.backward) {}
 };
 
+template <class T>
+void Resize(Image<T>& image, int width, int height, const T& value) {
+    if (image.Width() == width && image.Height() == height) return;
+    image = Image<T>(width, height, value);
+}
+
 class Resolver {
   public:
     Resolver(const Scene& scene, const Camera& camera, const RasterOptions& options,
-             const VisibilityBuffer& seen, const std::vector<ScreenVertex>& vertices)
-        : scene_(scene), options_(options), seen_(seen), vertices_(vertices), frame_(camera) {
+             const VisibilityBuffer& seen, const std::vector<ScreenVertex>& vertices,
+             GBuffer& out)
+        : scene_(scene),
+          options_(options),
+          seen_(seen),
+          vertices_(vertices),
+          frame_(camera),
+          out_(out) {
         const int width = seen.view.DrawnWidth(), height = seen.view.DrawnHeight();
-        out_.view = seen.view;
-        out_.format = seen.format;
-        out_.range = seen.range;
-        out_.depth = seen.depth;
-        out_.triangle = seen.triangle;
-        out_.z_m = Image<float>(width, height, GBuffer::kSkyZ);
-        out_.face_normal = out_.shading_normal = Image<Vec3f>(width, height, Vec3f::Zero());
-        out_.albedo = Image<Rgb>(width, height);
-        if (!options.texture_coordinates) return;
-        out_.uv = out_.uv_per_x_px = out_.uv_per_y_px =
-            Image<Vec2f>(width, height, Vec2f::Zero());
+        out.view = seen.view;
+        out.format = seen.format;
+        out.range = seen.range;
+        out.depth = seen.depth;
+        out.triangle = seen.triangle;
+        Resize(out.z_m, width, height, GBuffer::kSkyZ);
+        Resize(out.face_normal, width, height, Vec3f(0, 0, 0));
+        Resize(out.shading_normal, width, height, Vec3f(0, 0, 0));
+        Resize(out.albedo, width, height, Rgb{});
+        const int uv_width = options.texture_coordinates ? width : 0;
+        const int uv_height = options.texture_coordinates ? height : 0;
+        Resize(out.uv, uv_width, uv_height, Vec2f(0, 0));
+        Resize(out.uv_per_x_px, uv_width, uv_height, Vec2f(0, 0));
+        Resize(out.uv_per_y_px, uv_width, uv_height, Vec2f(0, 0));
     }
 
-    GBuffer Resolve() && {
+    void Resolve() {
         ParallelFor(seen_.view.DrawnHeight(), kRowsAtATime,
                     [&](std::int64_t begin, std::int64_t end) {
                         for (int j = int(begin); j < int(end); ++j) Row(j);
                     });
-        return std::move(out_);
     }
 
   private:
@@ -62,12 +76,26 @@ class Resolver {
         std::optional<Seen> here;
         for (int i = 0; i < seen_.view.DrawnWidth(); ++i) {
             const std::uint32_t triangle = seen_.triangle(i, j);
-            if (triangle == GBuffer::kSky) continue;
+            if (triangle == GBuffer::kSky) {
+                Sky(i, j);
+                continue;
+            }
             if (!here || triangle != here->triangle) {
                 here.emplace(triangle, scene_.mesh, vertices_, frame_);
             }
             Pixel(*here, i, j);
         }
+    }
+
+    void Sky(int i, int j) {
+        out_.z_m(i, j) = GBuffer::kSkyZ;
+        out_.face_normal(i, j) = out_.shading_normal(i, j) = Vec3f::Zero();
+        out_.albedo(i, j) = {};
+        if (options_.texture_coordinates) NoTextureCoordinates(i, j);
+    }
+
+    void NoTextureCoordinates(int i, int j) {
+        out_.uv(i, j) = out_.uv_per_x_px(i, j) = out_.uv_per_y_px(i, j) = Vec2f::Zero();
     }
 
     void Pixel(const Seen& here, int i, int j) {
@@ -85,7 +113,10 @@ class Resolver {
                     .cast<float>();
         }
         out_.albedo(i, j) = AlbedoAt(scene_, here.triangle, b[1], b[2]);
-        if (options_.texture_coordinates && !scene_.mesh.uvs.empty()) {
+        if (!options_.texture_coordinates) return;
+        if (scene_.mesh.uvs.empty()) {
+            NoTextureCoordinates(i, j);
+        } else {
             TextureCoordinates(here, b, i, j);
         }
     }
@@ -115,7 +146,7 @@ class Resolver {
     const VisibilityBuffer& seen_;
     const std::vector<ScreenVertex>& vertices_;
     CameraFrame frame_;
-    GBuffer out_;
+    GBuffer& out_;
 };
 
 }  // namespace
@@ -128,18 +159,20 @@ AlphaTest AlphaTestOf(const Scene& scene) {
 
 GBuffer DrawGBuffer(const Scene& scene, const Camera& camera, const RasterOptions& options) {
     Rasterizer rasterizer;
-    return DrawGBuffer(rasterizer, scene, camera, options);
+    GBuffer out;
+    DrawGBuffer(rasterizer, scene, camera, options, out);
+    return out;
 }
 
-GBuffer DrawGBuffer(Rasterizer& rasterizer, const Scene& scene, const Camera& camera,
-                    const RasterOptions& options) {
+void DrawGBuffer(Rasterizer& rasterizer, const Scene& scene, const Camera& camera,
+                 const RasterOptions& options, GBuffer& out) {
     const bool holes =
         std::any_of(scene.materials.begin(), scene.materials.end(),
                     [](const Material& material) { return material.alpha_tested; });
     const AlphaTest alpha_test = AlphaTestOf(scene);
     const VisibilityBuffer& seen =
         rasterizer.Draw(scene.mesh, camera, options, true, holes ? &alpha_test : nullptr);
-    return Resolver(scene, camera, options, seen, rasterizer.Vertices()).Resolve();
+    Resolver(scene, camera, options, seen, rasterizer.Vertices(), out).Resolve();
 }
 
 }  // namespace plumb

@@ -19,8 +19,8 @@ AlphaTest AlphaTestOf(const Scene& scene);
 GBuffer DrawGBuffer(const Scene& scene, const Camera& camera,
                     const RasterOptions& options = {});
 
-/// The same with the memory of an earlier picture.
-GBuffer DrawGBuffer(Rasterizer& rasterizer, const Scene& scene, const Camera& camera,
-                    const RasterOptions& options);
+/// The same over an earlier picture: memory is kept, every pixel is written.
+void DrawGBuffer(Rasterizer& rasterizer, const Scene& scene, const Camera& camera,
+                 const RasterOptions& options, GBuffer& out);
 
 }  // namespace plumb

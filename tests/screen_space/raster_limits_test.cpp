@@ -238,6 +238,36 @@ TEST(RasterLimits, ThreadsChangeNoBit) {
     EXPECT_EQ(one.shading_normal, two.shading_normal);
 }
 
+// Expected: what was in the memory before does not show.
+TEST(RasterLimits, AnOlderPictureLeavesNothingBehind) {
+    Scene scene = BallOverPlane();
+    scene.mesh.uvs.assign(scene.mesh.vertices_m.size(), Vec2f(0.25f, 0.5f));
+    const Camera camera = PixelCamera(70, 50);
+    RasterOptions options;
+    options.texture_coordinates = true;
+    Rasterizer rasterizer;
+    GBuffer used;
+    DrawGBuffer(rasterizer, GreyScene(Wall(camera, 2)), camera, {}, used);
+    DrawGBuffer(rasterizer, scene, camera, options, used);
+    Camera away = camera;
+    away.position_m = {0, -4, 1.5};
+    away.target_m = {0, 0, 2.5};
+    DrawGBuffer(rasterizer, scene, away, options, used);
+    const GBuffer fresh = DrawGBuffer(scene, away, options);
+    EXPECT_GT(Drawn(fresh), 300);
+    EXPECT_LT(Drawn(fresh), 3000);
+    EXPECT_EQ(used.z_m, fresh.z_m);
+    EXPECT_EQ(used.depth, fresh.depth);
+    EXPECT_EQ(used.triangle, fresh.triangle);
+    EXPECT_EQ(used.face_normal, fresh.face_normal);
+    EXPECT_EQ(used.shading_normal, fresh.shading_normal);
+    EXPECT_EQ(used.albedo, fresh.albedo);
+    EXPECT_EQ(used.uv, fresh.uv);
+    EXPECT_EQ(used.uv_per_x_px, fresh.uv_per_x_px);
+    DrawGBuffer(rasterizer, scene, away, {}, used);
+    EXPECT_TRUE(used.uv.Empty());
+}
+
 // Expected: the picture without a border is the middle of the picture with one.
 TEST(RasterLimits, ABorderAddsPixelsAroundAndChangesNoneInside) {
     const Scene scene = BallOverPlane();

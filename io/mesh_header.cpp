@@ -12,13 +12,29 @@
 namespace plumb {
 namespace {
 
+// Where the line "end_header" begins; npos if there is none.
+std::size_t EndOfPlyHeader(const std::string& head) {
+    const std::string word = "end_header";
+    const auto is_space = [&](std::size_t at) {
+        return at < head.size() && std::isspace(static_cast<unsigned char>(head[at])) != 0;
+    };
+    for (std::size_t at = head.find(word); at != std::string::npos;
+         at = head.find(word, at + 1)) {
+        if (at > 0 && (head[at - 1] == '\n' || head[at - 1] == '\r') &&
+            is_space(at + word.size())) {
+            return at;
+        }
+    }
+    return std::string::npos;
+}
+
 void CheckPly(const std::filesystem::path& path) {
     constexpr std::size_t kLongestHeader = 1 << 16;
     std::string head(kLongestHeader, '\0');
     std::ifstream in(path, std::ios::binary);
     in.read(head.data(), std::streamsize(head.size()));
     head.resize(std::size_t(in.gcount()));
-    const std::size_t end = head.find("end_header");
+    const std::size_t end = EndOfPlyHeader(head);
     if (end == std::string::npos) throw Error(path.string() + ": PLY header has no end");
     // Each element takes a byte at least.
     const double size = double(std::filesystem::file_size(path));

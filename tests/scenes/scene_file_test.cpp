@@ -196,6 +196,11 @@ TEST_F(SceneFiles, RefuseBadMeshes) {
     EXPECT_EQ(
         complaint("many.ply", "ply\nformat ascii 1.0\nelement vertex 2147483648\n" + head),
         "many.ply: element vertex = 2147483648, must be at most the bytes of the file");
+    const std::string vertices = "ply\nformat ascii 1.0\nelement vertex 3\n";
+    for (const char* no_end : {"property float xend_header\n", "end_headerx\n", "end_header"}) {
+        EXPECT_EQ(complaint("endless.ply", vertices + no_end),
+                  "endless.ply: PLY header has no end");
+    }
     EXPECT_THROW(ReadMesh(folder_), Error);
     Write("square.obj", kObj);
     EXPECT_THROW(ReadMesh(folder_ / "square.obj", {.unit_m = 0}), Error);

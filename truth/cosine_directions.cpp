@@ -1,6 +1,7 @@
 #include "truth/cosine_directions.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -20,20 +21,22 @@ float Centred(std::uint32_t digits) {
 
 }  // namespace
 
-void CosineDirections(std::span<const std::array<std::uint32_t, 2>> digits, std::uint64_t net,
-                      std::uint32_t pair, const Basis& frame, std::span<Vec3f> out) {
-    assert(out.size() >= digits.size());
+void CosineDirections(const PairDigits& digits, std::uint64_t net, std::uint32_t pair,
+                      const Basis& frame, std::span<Vec3f> out) {
+    const std::size_t points = digits.first.size();
+    assert(digits.second.size() == points && out.size() >= points);
     const std::uint64_t key_0 = SobolOwenKey(2 * pair, net);
     const std::uint64_t key_1 = SobolOwenKey(2 * pair + 1, net);
+    const std::uint32_t* const first = digits.first.data();
+    const std::uint32_t* const second = digits.second.data();
     std::array<float, kBlock> x, y, z;
     const Vec3f s_axis = frame.s.cast<float>(), t_axis = frame.t.cast<float>(),
                 n_axis = frame.n.cast<float>();
-    for (std::size_t begin = 0; begin < digits.size(); begin += kBlock) {
-        const std::size_t count = std::min(kBlock, digits.size() - begin);
+    for (std::size_t begin = 0; begin < points; begin += kBlock) {
+        const std::size_t count = std::min(kBlock, points - begin);
         for (std::size_t k = 0; k < count; ++k) {
-            const auto& [d_0, d_1] = digits[begin + k];
-            x[k] = Centred(ReverseBits(NestedHash(d_0, key_0)));
-            y[k] = Centred(ReverseBits(NestedHash(d_1, key_1)));
+            x[k] = Centred(ReverseBits(NestedHash(first[begin + k], key_0)));
+            y[k] = Centred(ReverseBits(NestedHash(second[begin + k], key_1)));
         }
         for (std::size_t k = 0; k < count; ++k) {
             // [Shirley97] as in core/warp.cpp: the larger coordinate is the (signed) radius.

@@ -11,7 +11,6 @@
 // Cost     about 6 ns a direction; the way by double takes 25.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,9 +20,14 @@
 
 namespace plumb {
 
-/// out[s] is the direction of point s of the net, about `frame`. `digits` are those of the
-/// points' coordinates before scrambling (core/sobol.h), the same for every net.
-void CosineDirections(std::span<const std::array<std::uint32_t, 2>> digits, std::uint64_t net,
-                      std::uint32_t pair, const Basis& frame, std::span<Vec3f> out);
+/// The digits of two coordinates of each point before scrambling (core/sobol.h): the same for
+/// every net.
+struct PairDigits {
+    std::vector<std::uint32_t> first, second;
+};
+
+/// out[s] is the direction of point s of the net, about `frame`.
+void CosineDirections(const PairDigits& digits, std::uint64_t net, std::uint32_t pair,
+                      const Basis& frame, std::span<Vec3f> out);
 
 }  // namespace plumb

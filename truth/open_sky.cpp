@@ -25,8 +25,8 @@ class Counter {
         static_assert(2 * kFirstDirection + 1 < kSobolDimensions);
         for (std::int64_t s = 0; s < options.sampling.points; ++s) {
             const std::uint32_t index = std::uint32_t(options.sampling.first + s);
-            digits_.push_back({SobolReversed(index, 2 * kFirstDirection),
-                               SobolReversed(index, 2 * kFirstDirection + 1)});
+            digits_.first.push_back(SobolReversed(index, 2 * kFirstDirection));
+            digits_.second.push_back(SobolReversed(index, 2 * kFirstDirection + 1));
         }
     }
 
@@ -79,8 +79,8 @@ class Counter {
         const std::uint64_t key_1 = SobolOwenKey(2 * kFirstDirection + 1, net);
         for (std::size_t s = 0; s < out.size(); ++s) {
             // SobolOwenPair(index, kFirstDirection, net), with what nets share made once.
-            const Vec2 u(ScrambleReversed(digits_[s][0], key_0),
-                         ScrambleReversed(digits_[s][1], key_1));
+            const Vec2 u(ScrambleReversed(digits_.first[s], key_0),
+                         ScrambleReversed(digits_.second[s], key_1));
             out[s] = frame.ToWorld(SampleUniformHemisphere(u)).cast<float>();
         }
     }
@@ -107,7 +107,7 @@ class Counter {
     const RayCaster& caster_;
     const Mesh& mesh_;
     const OpenSkyOptions& options_;
-    std::vector<std::array<std::uint32_t, 2>> digits_;  // Of each point, before scrambling.
+    PairDigits digits_;
     std::vector<Vec3f> directions_;
     std::vector<Ray> rays_;
     std::vector<std::uint64_t> met_;

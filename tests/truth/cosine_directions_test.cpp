@@ -15,11 +15,12 @@ namespace {
 TEST(CosineDirections, AreThoseInDouble) {
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
         const Basis frame(Vec3(0.3, -0.5, 0.7 * double(seed)).normalized());
-        std::vector<std::array<std::uint32_t, 2>> digits;
+        PairDigits digits;
         for (std::uint32_t index = 0; index < 20000; ++index) {
-            digits.push_back({SobolReversed(index, 0), SobolReversed(index, 1)});
+            digits.first.push_back(SobolReversed(index, 0));
+            digits.second.push_back(SobolReversed(index, 1));
         }
-        std::vector<Vec3f> directions(digits.size());
+        std::vector<Vec3f> directions(digits.first.size());
         CosineDirections(digits, seed, kFirstDirection, frame, directions);
         for (std::uint32_t index = 0; index < 20000; ++index) {
             const Vec3 expected =
@@ -36,11 +37,12 @@ TEST(CosineDirections, AreThoseInDouble) {
 // The middle of the square and its corners: no 0 / 0, no root of a negative number.
 TEST(CosineDirections, AreFiniteEverywhere) {
     const Basis frame(Vec3(0, 0, 1));
-    std::vector<std::array<std::uint32_t, 2>> digits;
+    PairDigits digits;
     for (std::uint32_t k = 0; k < 65536; ++k) {
-        digits.push_back({k * 0x9e3779b9u, k * 0x85ebca6bu});
+        digits.first.push_back(k * 0x9e3779b9u);
+        digits.second.push_back(k * 0x85ebca6bu);
     }
-    std::vector<Vec3f> directions(digits.size());
+    std::vector<Vec3f> directions(digits.first.size());
     CosineDirections(digits, 9, 0, frame, directions);
     for (const Vec3f& w : directions) {
         ASSERT_TRUE(w.allFinite());

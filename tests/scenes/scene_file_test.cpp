@@ -105,6 +105,30 @@ TEST_F(SceneFiles, ReadEveryField) {
     EXPECT_EQ(file.files.size(), 3u);
 }
 
+// The example of docs/scenes.md is read to the end, with our files in the place of its own.
+TEST_F(SceneFiles, ReadTheExampleOfTheirDocumentation) {
+    std::ifstream page(std::filesystem::path(PLUMB_SOURCE_DIR) / "docs" / "scenes.md");
+    const std::string text{std::istreambuf_iterator<char>(page), {}};
+    const std::size_t begin = text.find("```json\n") + 8;
+    std::string example = text.substr(begin, text.find("```", begin) - begin);
+    Write("square.obj", kObj);
+    Write("square.mtl", kMtl);
+    WriteExr(folder_ / "sky.exr", {{"Y", Image<float>(2, 1, 1)}});
+    for (const auto& [theirs, ours] :
+         {std::pair{"sponza.obj", "square.obj"}, std::pair{"plants.glb", "square.obj"},
+          std::pair{"old.obj", "square.obj"}, std::pair{"statue.ply", "square.obj"},
+          std::pair{"evening.hdr", "sky.exr"}}) {
+        const std::size_t at = example.find(theirs);
+        ASSERT_NE(at, std::string::npos) << theirs;
+        example.replace(at, std::string(theirs).size(), ours);
+    }
+    const SceneFile file = ReadSceneFile(Write("example.json", example));
+    Validate(file.scene);
+    EXPECT_EQ(file.scene.mesh.quads.size(), 8u);
+    EXPECT_EQ(file.heights.size(), 1u);
+    EXPECT_EQ(file.scene.cameras.size(), 1u);
+}
+
 TEST_F(SceneFiles, ReadSkiesAndHeights) {
     WriteExr(folder_ / "sky.exr", {{"R", Image<float>(2, 1, 1)},
                                    {"G", Image<float>(2, 1, 2)},

@@ -8,7 +8,7 @@
 
 #include "app/bench_output.h"
 #include "app/command.h"
-#include "jobs/bench_light.h"
+#include "jobs/light/bench_light.h"
 
 namespace plumb::app {
 namespace {

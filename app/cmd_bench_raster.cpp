@@ -6,8 +6,8 @@
 
 #include "app/bench_output.h"
 #include "app/command.h"
-#include "jobs/bench_raster.h"
 #include "jobs/load_scene.h"
+#include "jobs/screen_space/bench_raster.h"
 
 namespace plumb::app {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "app/command.h"
 #include "app/simulate_options.h"
-#include "jobs/fit_constants.h"
-#include "jobs/fit_measured.h"
+#include "jobs/light/fit_constants.h"
+#include "jobs/light/fit_measured.h"
 #include "jobs/write_results.h"
 
 namespace plumb::app {

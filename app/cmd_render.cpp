@@ -9,7 +9,7 @@
 #include "app/command.h"
 #include "app/view_options.h"
 #include "core/parallel.h"
-#include "jobs/render_scene.h"
+#include "jobs/screen_space/render_scene.h"
 
 namespace plumb::app {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/command.h"
 #include "app/view_options.h"
 #include "core/parallel.h"
-#include "jobs/report_scene.h"
+#include "jobs/screen_space/report_scene.h"
 
 namespace plumb::app {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/command.h"
 #include "app/simulate_options.h"
-#include "jobs/simulate.h"
+#include "jobs/light/simulate.h"
 #include "jobs/write_results.h"
 
 namespace plumb::app {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/monitor.h"
-#include "jobs/simulate_surface.h"
+#include "jobs/light/simulate_surface.h"
 
 namespace plumb::app {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "app/command.h"
-#include "jobs/simulate_surface.h"
-#include "jobs/surface.h"
+#include "jobs/light/simulate_surface.h"
+#include "jobs/light/surface.h"
 
 namespace plumb::app {
 

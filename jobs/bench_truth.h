@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/monitor.h"
+#include "jobs/light/simulate_surface.h"
 #include "jobs/load_scene.h"
-#include "jobs/simulate_surface.h"
 #include "reports/truth_bench_report.h"
 
 namespace plumb {

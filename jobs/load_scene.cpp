@@ -8,7 +8,7 @@
 #include "heightfield/facet.h"
 #include "io/content_hash.h"
 #include "io/scene_file.h"
-#include "jobs/surface.h"
+#include "jobs/light/surface.h"
 #include "scenes/catalogue.h"
 
 namespace plumb {

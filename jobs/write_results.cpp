@@ -8,7 +8,7 @@
 #include "io/histogram_io.h"
 #include "io/image_io.h"
 #include "io/whole_file.h"
-#include "jobs/fit_constants.h"
+#include "jobs/light/fit_constants.h"
 #include "jobs/pictures.h"
 #include "reports/shader_header.h"
 

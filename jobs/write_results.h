@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "heightfield/height_field.h"
-#include "jobs/simulate_surface.h"
-#include "jobs/surface.h"
+#include "jobs/light/simulate_surface.h"
+#include "jobs/light/surface.h"
 #include "reports/ao_bench_report.h"
 #include "reports/bench_report.h"
 #include "reports/fit_report.h"
@@ -27,7 +27,7 @@ void WritePictures(const std::filesystem::path& folder, const HeightField& field
 std::filesystem::path WriteFitResults(const std::filesystem::path& folder,
                                       const FitReport& report);
 
-/// curves.json and constants.csv of a report of curves alone (jobs/fit_measured.h).
+/// curves.json and constants.csv of a report of curves alone (jobs/light/fit_measured.h).
 void WriteCurveResults(const std::filesystem::path& folder, const FitReport& report);
 
 /// report.html, report.json and histogram_alpha / histogram_v as JSON and CSV. Returns the

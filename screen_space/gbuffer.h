@@ -8,7 +8,7 @@
 
 #include "core/image.h"
 #include "core/vec.h"
-#include "screen_space/depth_format.h"
+#include "screen_space/raster/depth_format.h"
 #include "screen_space/view.h"
 
 namespace plumb {

@@ -1,11 +1,11 @@
-#include "jobs/albedo_light.h"
+#include "jobs/light/albedo_light.h"
 
 #include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "formfactor/slice_links.h"
 #include "heightfield/analytic_fields.h"
-#include "jobs/surface.h"
+#include "jobs/light/surface.h"
 
 namespace plumb {
 namespace {

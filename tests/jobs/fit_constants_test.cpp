@@ -1,4 +1,4 @@
-#include "jobs/fit_constants.h"
+#include "jobs/light/fit_constants.h"
 
 #include <gtest/gtest.h>
 

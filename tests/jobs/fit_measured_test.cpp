@@ -1,4 +1,4 @@
-#include "jobs/fit_measured.h"
+#include "jobs/light/fit_measured.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

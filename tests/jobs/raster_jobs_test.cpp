@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "core/parallel.h"
-#include "jobs/bench_raster.h"
-#include "jobs/z_precision.h"
+#include "jobs/screen_space/bench_raster.h"
+#include "jobs/screen_space/z_precision.h"
 #include "scenes/simple.h"
 
 namespace plumb {

@@ -1,5 +1,5 @@
 // A scene's report end to end, on scenes small enough to know what it must say.
-#include "jobs/report_scene.h"
+#include "jobs/screen_space/report_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -9,13 +9,13 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "jobs/ao_sweep.h"
-#include "jobs/error_budget.h"
-#include "jobs/guard_study.h"
-#include "jobs/pyramid_study.h"
-#include "jobs/score_technique.h"
-#include "jobs/temporal_study.h"
-#include "screen_space/draw_gbuffer.h"
+#include "jobs/screen_space/ao_sweep.h"
+#include "jobs/screen_space/error_budget.h"
+#include "jobs/screen_space/guard_study.h"
+#include "jobs/screen_space/pyramid_study.h"
+#include "jobs/screen_space/score_technique.h"
+#include "jobs/screen_space/temporal_study.h"
+#include "screen_space/raster/draw_gbuffer.h"
 #include "tests/jobs/made_scenes.h"
 #include "truth/embree_caster.h"
 

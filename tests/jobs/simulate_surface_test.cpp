@@ -1,4 +1,4 @@
-#include "jobs/simulate_surface.h"
+#include "jobs/light/simulate_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include "core/statistics.h"
 #include "formfactor/total.h"
 #include "heightfield/analytic_fields.h"
-#include "jobs/facet_scores.h"
-#include "jobs/surface.h"
+#include "jobs/light/facet_scores.h"
+#include "jobs/light/surface.h"
 
 namespace plumb {
 namespace {

@@ -1,4 +1,4 @@
-#include "jobs/surface.h"
+#include "jobs/light/surface.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Techniques called alike, and what jobs/ itself makes of rays: held against closed forms.
-#include "jobs/technique.h"
+#include "jobs/screen_space/technique.h"
 
 #include <gtest/gtest.h>
 
@@ -7,14 +7,14 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "jobs/ao_sweep.h"
-#include "jobs/layered_obscurance.h"
 #include "jobs/pictures.h"
-#include "jobs/ray_traced_visibility.h"
-#include "jobs/render_scene.h"
-#include "jobs/score_technique.h"
-#include "jobs/signed_picture.h"
-#include "screen_space/draw_gbuffer.h"
+#include "jobs/screen_space/ao_sweep.h"
+#include "jobs/screen_space/layered_obscurance.h"
+#include "jobs/screen_space/ray_traced_visibility.h"
+#include "jobs/screen_space/render_scene.h"
+#include "jobs/screen_space/score_technique.h"
+#include "jobs/screen_space/signed_picture.h"
+#include "screen_space/raster/draw_gbuffer.h"
 #include "tests/jobs/made_scenes.h"
 #include "truth/embree_caster.h"
 

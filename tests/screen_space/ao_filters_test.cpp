@@ -6,10 +6,10 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "screen_space/bilateral_blur.h"
 #include "screen_space/gbuffer.h"
-#include "screen_space/pack_ao_z.h"
-#include "screen_space/quad_filter.h"
+#include "screen_space/sao/bilateral_blur.h"
+#include "screen_space/sao/pack_ao_z.h"
+#include "screen_space/sao/quad_filter.h"
 #include "tests/screen_space/made_gbuffers.h"
 
 namespace plumb {

@@ -1,5 +1,5 @@
 // Depth formats: known values, both ways, and what is lost on the way.
-#include "screen_space/depth_format.h"
+#include "screen_space/raster/depth_format.h"
 
 #include <gtest/gtest.h>
 

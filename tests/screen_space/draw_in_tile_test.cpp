@@ -1,5 +1,5 @@
 // The vector loop against the definition, written out pixel by pixel.
-#include "screen_space/draw_in_tile.h"
+#include "screen_space/raster/draw_in_tile.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>

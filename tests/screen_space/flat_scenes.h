@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/scene.h"
-#include "screen_space/raster_options.h"
+#include "screen_space/raster/raster_options.h"
 
 namespace plumb {
 

@@ -4,7 +4,7 @@
 #include <hwy/highway.h>
 #include <hwy/targets.h>
 
-#include "screen_space/sao_presets.h"
+#include "screen_space/sao/sao_presets.h"
 #include "tests/screen_space/made_gbuffers.h"
 
 namespace plumb {

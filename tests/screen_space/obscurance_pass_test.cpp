@@ -1,11 +1,11 @@
 // The fast sampling pass against the reference in double, pixel by pixel.
-#include "screen_space/obscurance_pass.h"
+#include "screen_space/sao/obscurance_pass.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "screen_space/sao_presets.h"
+#include "screen_space/sao/sao_presets.h"
 #include "tests/screen_space/made_gbuffers.h"
 
 namespace plumb {

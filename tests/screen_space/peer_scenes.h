@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "screen_space/gtao.h"
-#include "screen_space/hbao.h"
-#include "screen_space/visibility_bitmask.h"
+#include "screen_space/peers/gtao.h"
+#include "screen_space/peers/hbao.h"
+#include "screen_space/peers/visibility_bitmask.h"
 #include "tests/screen_space/made_gbuffers.h"
 
 namespace plumb {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "screen_space/slice_integral.h"
+#include "screen_space/peers/slice_integral.h"
 #include "tests/screen_space/peer_scenes.h"
 
 namespace plumb {

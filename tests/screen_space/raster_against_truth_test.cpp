@@ -10,7 +10,7 @@
 #include "scenes/atrium.h"
 #include "scenes/dense.h"
 #include "scenes/simple.h"
-#include "screen_space/draw_gbuffer.h"
+#include "screen_space/raster/draw_gbuffer.h"
 #include "truth/embree_caster.h"
 #include "truth/pixels.h"
 #include "truth/triangle.h"
@@ -60,7 +60,7 @@ struct Agreement {
     int wrong = 0;
     int z_off = 0;  // z_m is not the exact plane's, rounded to float.
     int stored_off =
-        0;  // The stored depth is off by more than screen_space/draw_in_tile.h states.
+        0;  // The stored depth is off by more than screen_space/raster/draw_in_tile.h states.
 };
 
 // Two surfaces may be told from each other if their e differ by more than this.

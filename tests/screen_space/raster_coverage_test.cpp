@@ -11,8 +11,8 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "core/surface.h"
-#include "screen_space/draw_gbuffer.h"
-#include "screen_space/rasterizer.h"
+#include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/rasterizer.h"
 #include "tests/screen_space/flat_scenes.h"
 
 namespace plumb {

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "scenes/simple.h"
-#include "screen_space/draw_gbuffer.h"
+#include "screen_space/raster/draw_gbuffer.h"
 #include "tests/screen_space/flat_scenes.h"
 
 namespace plumb {

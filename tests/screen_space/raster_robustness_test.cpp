@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "screen_space/draw_gbuffer.h"
+#include "screen_space/raster/draw_gbuffer.h"
 #include "tests/screen_space/flat_scenes.h"
 
 namespace plumb {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/surface.h"
-#include "screen_space/draw_gbuffer.h"
-#include "screen_space/seen_triangle.h"
+#include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/seen_triangle.h"
 #include "tests/screen_space/flat_scenes.h"
 #include "truth/embree_caster.h"
 #include "truth/pixels.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "screen_space/obscurance_pass.h"
+#include "screen_space/sao/obscurance_pass.h"
 #include "tests/screen_space/made_gbuffers.h"
 
 namespace plumb {

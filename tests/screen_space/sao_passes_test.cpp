@@ -1,5 +1,5 @@
 // SAO as a whole: laws that hold for every configuration, and bad input.
-#include "screen_space/sao_passes.h"
+#include "screen_space/sao/sao_passes.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/random.h"
-#include "screen_space/sao_presets.h"
+#include "screen_space/sao/sao_presets.h"
 #include "tests/screen_space/made_gbuffers.h"
 
 namespace plumb {

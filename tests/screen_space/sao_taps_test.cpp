@@ -8,9 +8,9 @@
 
 #include "core/conventions.h"
 #include "core/error.h"
-#include "screen_space/rotation_hash.h"
-#include "screen_space/spiral_taps.h"
-#include "screen_space/tap_lookup.h"
+#include "screen_space/sao/rotation_hash.h"
+#include "screen_space/sao/spiral_taps.h"
+#include "screen_space/sao/tap_lookup.h"
 #include "tests/screen_space/made_gbuffers.h"
 
 namespace plumb {

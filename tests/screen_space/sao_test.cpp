@@ -1,5 +1,5 @@
 // The estimators of SAO against values worked out by hand, and their units.
-#include "screen_space/sao.h"
+#include "screen_space/sao/sao.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The precision of z and of normals from depth, against derived bounds and the paper's findings.
-#include "screen_space/z_precision.h"
+#include "screen_space/raster/z_precision.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "scenes/simple.h"
-#include "screen_space/draw_gbuffer.h"
-#include "screen_space/normal_precision.h"
+#include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/normal_precision.h"
 
 namespace plumb {
 namespace {

@@ -1,5 +1,5 @@
 // The z pyramid: the five filters of the paper's table 1 by hand, and sizes that are not even.
-#include "screen_space/z_pyramid.h"
+#include "screen_space/sao/z_pyramid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,80 @@
+#include "jobs/light/convergence_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/parallel.h"
+#include "formfactor/bounces.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint64_t kReferenceSeed = 0x5eed;
+
+struct Light {
+    std::vector<double> V;
+    std::vector<float> E_half;
+};
+
+Light LightOf(const HeightField& field, const SimulateSettings& settings, Monitor& monitor) {
+    const Links links = MakeLinksOf(field, settings, monitor);
+    Series series = RunSeries(
+        links, {.bounces = 0, .albedos = {0.5}}, [](int, std::span<const double>) {}, monitor);
+    return {links.V, std::move(series.total[0])};
+}
+
+template <class T>
+double Rms(const std::vector<T>& a, const std::vector<T>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double d = double(a[i]) - double(b[i]);
+        sum += d * d;
+    }
+    return std::sqrt(sum / double(a.size()));
+}
+
+}  // namespace
+
+Convergence StudyConvergence(const std::string& name, const HeightField& field,
+                             const ConvergenceSettings& settings, const Clock& clock,
+                             Monitor& monitor) {
+    SimulateSettings exact;
+    exact.slices.slices = settings.reference_slices;
+    exact.slices.seed = kReferenceSeed;
+    const Light reference = LightOf(field, exact, monitor);
+
+    Convergence out;
+    out.map = name;
+    out.reference = "slices, " + std::to_string(settings.reference_slices);
+    out.facets = field.Facets();
+    out.threads = ThreadCount();
+    const auto measure = [&](LinkMethod method, int per_facet) {
+        SimulateSettings settings_here;
+        settings_here.method = method;
+        settings_here.slices.slices = settings_here.rays.rays = per_facet;
+        Light light;
+        std::vector<double> seconds;
+        for (int run = 0; run < settings.runs; ++run) {
+            const double begin_s = clock();
+            light = LightOf(field, settings_here, monitor);
+            seconds.push_back(clock() - begin_s);
+        }
+        std::sort(seconds.begin(), seconds.end());
+        ConvergencePoint point;
+        point.method = SamplingOf(settings_here).method;
+        point.per_facet = per_facet;
+        point.seconds = seconds[seconds.size() / 2];
+        point.rms_V = Rms(light.V, reference.V);
+        point.rms_E_half = Rms(light.E_half, reference.E_half);
+        for (std::size_t i = 0; i < light.V.size(); ++i) {
+            point.max_abs_V = std::max(point.max_abs_V, std::abs(light.V[i] - reference.V[i]));
+        }
+        out.points.push_back(point);
+    };
+    for (const int n : settings.slices) measure(LinkMethod::kSlices, n);
+    for (const int n : settings.rays) measure(LinkMethod::kRays, n);
+    return out;
+}
+
+}  // namespace plumb

@@ -1,0 +1,22 @@
+// The speed of SAO and AlchemyAO at the sizes of the paper, in one run.
+//
+// Source   [McGuire12] tables 2 and 3, figure 5.
+#pragma once
+
+#include <vector>
+
+#include "jobs/screen_space/ao_times.h"
+#include "reports/ao_bench_report.h"
+
+namespace plumb {
+
+struct AoBenchSettings {
+    double radius_m = 1.5;
+    int rounds = 7;  ///< After one that warms up. [1, 1000]
+    std::vector<TimedSize> sizes = {{1280, 720, 128}, {1920, 1080, 192}, {2560, 1600, 256}};
+};
+
+AoBench BenchAo(const Scene& scene, const Camera& camera, const AoBenchSettings& settings,
+                const PassClock& clock, Monitor& monitor = SilentMonitor());
+
+}  // namespace plumb

@@ -1,0 +1,90 @@
+// The techniques that a report compares, all called alike: a G-buffer in, A out, pass by pass.
+//
+//       sao-paper, sao-supplement2012, sao-g3d10     [McGuire12], three generations of constants
+//       alchemy                                      its baseline
+//       hbao, gtao, bitmask                          peers on the same G-buffer, as shipped
+//       gtao-hard                                    GTAO cut off hard at r, each pixel normalized
+//       bitmask-cosine                               sectors even in cosine, ends rounded alike
+//       rays-1, rays-2, rays-4, rays-8               ray-traced V within r
+//
+// All but the baseline's and SAO's own are followed by one and the same filter, that of SAO's
+// supplement on unpacked numbers, so that none wins by a better filter.
+// Each has a falloff: how much less it counts what is farther away. The truth weighted by the
+// same falloff is what the technique means to compute; V and V within r are what its user wants.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/scene.h"
+#include "screen_space/gbuffer.h"
+#include "screen_space/sao/sao_passes.h"
+#include "truth/near_visibility.h"
+
+namespace plumb {
+
+/// What techniques may look at: all but ray tracing see the G-buffer alone.
+struct TechniqueInput {
+    const GBuffer& gbuffer;
+    const Scene& scene;
+    const Camera& camera;
+    const RayCaster& caster;
+};
+
+struct Pass {
+    std::string name;
+    Image<float> A;      ///< Of the drawn size; empty for passes that make no picture.
+    double seconds = 0;  ///< Wall clock, all threads.
+};
+
+/// Seconds from some fixed moment: jobs have no clock of their own.
+using PassClock = std::function<double()>;
+
+struct Technique {
+    std::string name;
+    Falloff falloff = Falloff::kHard;
+    int samples = 0;  ///< Depth lookups, or rays, a pixel.
+    std::function<std::vector<Pass>(const TechniqueInput&, const PassClock&)> run;
+};
+
+/// What a caller may change in every technique.
+struct TechniqueSettings {
+    double radius_m = 1.5;
+    int samples = 0;     ///< Lookups or rays a pixel; 0 = the technique's own.
+    bool filter = true;  ///< The bilateral passes.
+};
+
+/// Throws Error, naming field, value and rule.
+void Validate(const TechniqueSettings& settings);
+
+std::vector<std::string> TechniqueNames();
+
+/// Throws Error, listing the names, if there is none of that name.
+Technique TechniqueNamed(const std::string& name, const TechniqueSettings& settings = {});
+
+/// One configuration of SAO as a technique.
+Technique SaoTechnique(std::string name, const SaoOptions& options);
+
+/// The falloff of an SAO estimator; its own bias and divisor left out.
+Falloff FalloffOf(SaoFalloffKind kind);
+
+/// A preset of SAO with that radius, and taps where settings name them.
+SaoOptions SaoWith(const std::string& preset, const TechniqueSettings& settings);
+
+double TotalSeconds(const std::vector<Pass>& passes);
+
+/// The part of a drawn picture that is shown.
+template <class T>
+Image<T> Shown(const Image<T>& drawn, const View& view) {
+    Image<T> shown(view.width_px, view.height_px, drawn(view.guard_px, view.guard_px));
+    for (int j = 0; j < view.height_px; ++j) {
+        for (int i = 0; i < view.width_px; ++i) {
+            shown(i, j) = drawn(i + view.guard_px, j + view.guard_px);
+        }
+    }
+    return shown;
+}
+
+}  // namespace plumb

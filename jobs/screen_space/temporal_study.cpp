@@ -1,0 +1,70 @@
+#include "jobs/screen_space/temporal_study.h"
+
+#include "core/camera.h"
+#include "core/error.h"
+#include "core/sobol.h"
+#include "jobs/screen_space/score_technique.h"
+#include "screen_space/raster/draw_gbuffer.h"
+
+namespace plumb {
+namespace {
+
+// The camera turned so that the picture moves by `shift` pixels at its middle.
+Camera Turned(const Camera& camera, const Vec2& shift_px) {
+    const CameraFrame frame(camera);
+    const Vec3 w = frame.Direction(camera, 0.5 * camera.width_px + shift_px.x(),
+                                   0.5 * camera.height_px + shift_px.y());
+    Camera turned = camera;
+    const double distance = (camera.target_m - camera.position_m).norm();
+    turned.target_m = camera.position_m + distance * w.normalized();
+    return turned;
+}
+
+}  // namespace
+
+std::vector<TemporalRow> StudyFlicker(const Scene& scene, const Camera& camera,
+                                      const RayCaster& caster,
+                                      const std::vector<std::string>& techniques,
+                                      const TemporalOptions& options, const PassClock& clock,
+                                      Monitor& monitor) {
+    if (options.frames < 2 || options.frames > 1024) {
+        throw Error(MustBe("TemporalOptions::frames", options.frames, "in [2, 1024]"));
+    }
+    Camera small = camera;
+    small.width_px = options.width_px;
+    small.height_px = options.height_px;
+    std::vector<Image<float>> truths, errors;
+    std::vector<std::vector<Image<float>>> frames(techniques.size());
+    Mask seen(small.width_px, small.height_px, 1);
+    const std::vector<Falloff> hard{Falloff::kHard};
+    for (int frame = 0; frame < options.frames; ++frame) {
+        const Camera at = Turned(
+            small, SobolOwenPair(std::uint32_t(frame), 0, options.seed) - Vec2(0.5, 0.5));
+        ViewTruth truth = MeasureViewTruth(caster, scene, at, hard,
+                                           {.radius_m = options.radius_m,
+                                            .spp = options.spp,
+                                            .seed = options.seed + 1 + std::uint64_t(frame),
+                                            .far = false},
+                                           SilentMonitor());
+        seen = Both(seen, RegionsOf(truth).seen);
+        truths.push_back(std::move(truth.near.at(Falloff::kHard).value));
+        errors.push_back(std::move(truth.near.at(Falloff::kHard).standard_error));
+        const GBuffer gbuffer = DrawGBuffer(scene, at, {.guard_px = options.guard_px});
+        for (std::size_t t = 0; t < techniques.size(); ++t) {
+            const std::vector<Pass> passes =
+                TechniqueNamed(techniques[t], {.radius_m = options.radius_m})
+                    .run({gbuffer, scene, at, caster}, clock);
+            frames[t].push_back(Shown(passes.back().A, gbuffer.view));
+        }
+        if (monitor.Cancelled()) throw Interrupted();
+        monitor.Progress("flicker", double(frame + 1) / options.frames);
+    }
+    std::vector<TemporalRow> rows;
+    for (std::size_t t = 0; t < techniques.size(); ++t) {
+        rows.push_back({techniques[t], ScoreTemporal(frames[t], truths, errors, seen,
+                                                     {.truth_dof = kTruthNets - 1.0})});
+    }
+    return rows;
+}
+
+}  // namespace plumb

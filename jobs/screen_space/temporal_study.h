@@ -1,0 +1,29 @@
+// How much techniques flicker while the camera moves by parts of a pixel.
+//
+// The camera moves sideways and up by the 16 points of a net within a pixel of the picture's
+// middle; every frame has a truth with a seed of its own (score/temporal.h).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "jobs/screen_space/technique.h"
+#include "reports/scene_report.h"
+
+namespace plumb {
+
+struct TemporalOptions {
+    int frames = 16;  ///< [2, 1024]
+    int width_px = 480, height_px = 270, guard_px = 48;
+    int spp = 64;  ///< Of every frame's truth: a power of two.
+    double radius_m = 1.5;
+    std::uint64_t seed = 1;
+};
+
+std::vector<TemporalRow> StudyFlicker(const Scene& scene, const Camera& camera,
+                                      const RayCaster& caster,
+                                      const std::vector<std::string>& techniques,
+                                      const TemporalOptions& options, const PassClock& clock,
+                                      Monitor& monitor = SilentMonitor());
+
+}  // namespace plumb

@@ -1,0 +1,76 @@
+// SAO from a G-buffer to the filtered picture, pass by pass; each pass can be left out.
+//
+//       z pyramid -> sample -> 2 x 2 quads -> pack to RGB8 -> blur along x -> blur along y
+//
+// Source   [McGuire12] section 2.
+// Symbols  A obscurance in [0, 1]: 1 = open.
+// Beware   A is computed where it is shown and as far beyond as the filters reach, if that was
+//          drawn; the rest of the border has A = 1. The sky has A = 1 after every pass.
+//          The filter along x stores RGB8 again, if packing is on; the last filter does not.
+#pragma once
+
+#include "core/image.h"
+#include "screen_space/gbuffer.h"
+#include "screen_space/sao/bilateral_blur.h"
+#include "screen_space/sao/obscurance_pass.h"
+#include "screen_space/sao/quad_filter.h"
+
+namespace plumb {
+
+/// One configuration of SAO. The passes that are off hand on what they got.
+struct SaoOptions {
+    ObscuranceOptions sampling;
+    bool quad_filter = true;
+    double quad_threshold_m = kQuadThresholdM;  ///< (0, 1e7]
+    bool pack_rgb8 = true;
+    double z_min_m = -300;  ///< Depth of key 1. [-1e9, -1e-3]
+    BlurOptions blur;
+    bool blur_x = true, blur_y = true;
+};
+
+/// Throws Error, naming the first field that breaks its range.
+void Validate(const SaoOptions& options);
+
+/// The options that give the same A once each length of the scene is `scale` times as great.
+SaoOptions InOtherUnit(const SaoOptions& options, double scale);
+
+/// Where A has to be computed so that what is shown is filtered from computed pixels.
+PixelRect ComputedRect(const View& view, const SaoOptions& options);
+
+/// A of the drawn size after each pass.
+struct SaoPasses {
+    Image<float> raw, quad, packed, blur_x, blur_y;
+};
+
+/// Throws Error where options or the depth are bad, or the images are not of the view's size.
+SaoPasses RunSao(const GBuffer& gbuffer, const SaoOptions& options);
+
+/// Memory that SaoObscurance uses again, picture after picture.
+struct SaoScratch {
+    ZPyramid pyramid;
+    Image<float> A, key, blurred;
+};
+
+/// The last pass only: the same bits as RunSao's, in less time and memory. The picture is one of the
+/// scratch's, until its next use. Without a scratch the memory alone takes a third as long again.
+const Image<float>& SaoObscurance(const GBuffer& gbuffer, const SaoOptions& options,
+                                  SaoScratch& scratch);
+Image<float> SaoObscurance(const GBuffer& gbuffer, const SaoOptions& options);
+
+// The passes one by one, for whoever wants to time them.
+
+/// Throws as RunSao does.
+ZPyramid BuildZPyramid(const GBuffer& gbuffer, const SaoOptions& options);
+Image<float> SamplePass(const GBuffer& gbuffer, const ZPyramid& pyramid,
+                        const SaoOptions& options);
+Image<float> QuadPass(const GBuffer& gbuffer, const SaoOptions& options, Image<float> A);
+
+struct PackedPass {
+    Image<float> A;  ///< After packing and unpacking.
+    BlurGuide guide;
+};
+PackedPass PackPass(const GBuffer& gbuffer, const SaoOptions& options, Image<float> A);
+Image<float> BlurPass(BlurAxis axis, const GBuffer& gbuffer, const SaoOptions& options,
+                      const BlurGuide& guide, Image<float> A);
+
+}  // namespace plumb

@@ -7,9 +7,9 @@
 #include "app/bench_output.h"
 #include "app/command.h"
 #include "core/parallel.h"
-#include "jobs/load_scene.h"
 #include "jobs/screen_space/bench_ao.h"
 #include "jobs/screen_space/render_scene.h"
+#include "jobs/truth/load_scene.h"
 
 namespace plumb::app {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "app/bench_output.h"
 #include "app/command.h"
-#include "jobs/load_scene.h"
 #include "jobs/screen_space/bench_raster.h"
+#include "jobs/truth/load_scene.h"
 
 namespace plumb::app {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "app/bench_output.h"
 #include "app/command.h"
-#include "jobs/bench_truth.h"
+#include "jobs/truth/bench_truth.h"
 
 namespace plumb::app {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/command.h"
 #include "core/error.h"
 #include "core/parallel.h"
-#include "jobs/truth.h"
+#include "jobs/truth/truth.h"
 
 namespace plumb::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "jobs/screen_space/technique.h"
-#include "jobs/view_truth.h"
+#include "jobs/truth/view_truth.h"
 #include "reports/scene_report.h"
 
 namespace plumb {

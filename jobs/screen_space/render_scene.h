@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/monitor.h"
-#include "jobs/load_scene.h"
 #include "jobs/screen_space/technique.h"
+#include "jobs/truth/load_scene.h"
 
 namespace plumb {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/image.h"
-#include "jobs/view_truth.h"
+#include "jobs/truth/view_truth.h"
 #include "reports/scene_report.h"
 #include "score/regions.h"
 

@@ -1,5 +1,5 @@
 // The measurements of plumb bench truth, small: that they measure what they say.
-#include "jobs/bench_truth.h"
+#include "jobs/truth/bench_truth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The truth of a view as a job: what stops it, what it keeps, what it says of bad input.
-#include "jobs/truth.h"
+#include "jobs/truth/truth.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

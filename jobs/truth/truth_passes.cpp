@@ -1,4 +1,4 @@
-#include "jobs/truth_passes.h"
+#include "jobs/truth/truth_passes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,7 @@
 
 #include "core/monitor.h"
 #include "io/image_io.h"
-#include "jobs/load_scene.h"
+#include "jobs/truth/load_scene.h"
 #include "reports/truth_report.h"
 #include "truth/near_visibility.h"
 #include "truth/sky.h"
@@ -40,8 +40,9 @@ struct TruthJob {
     /// else beauty; or else of what there is. 0 = no such rule. >= 0
     double target_error = 0;
     double max_seconds = std::numeric_limits<double>::infinity();  ///< > 0
-    bool resume = false;    ///< There must be a state in the cache to go on from.
-    bool use_cache = true;  ///< Keep states, and go on from what is kept (jobs/truth_cache.h).
+    bool resume = false;  ///< There must be a state in the cache to go on from.
+    bool use_cache =
+        true;  ///< Keep states, and go on from what is kept (jobs/truth/truth_cache.h).
     std::filesystem::path cache;  ///< Empty = the folder "cache" in that of the results.
 };
 

@@ -10,8 +10,8 @@
 #include <optional>
 #include <string>
 
-#include "jobs/truth.h"
-#include "jobs/truth_state.h"
+#include "jobs/truth/truth.h"
+#include "jobs/truth/truth_state.h"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "jobs/truth_pictures.h"
+#include "jobs/truth/truth_pictures.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "jobs/truth.h"
+#include "jobs/truth/truth.h"
 
 #include <bit>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include "core/error.h"
 #include "io/image_io.h"
 #include "io/whole_file.h"
-#include "jobs/truth_cache.h"
-#include "jobs/truth_passes.h"
-#include "jobs/truth_pictures.h"
-#include "jobs/truth_state.h"
+#include "jobs/truth/truth_cache.h"
+#include "jobs/truth/truth_passes.h"
+#include "jobs/truth/truth_pictures.h"
+#include "jobs/truth/truth_state.h"
 #include "truth/embree_caster.h"
 
 namespace plumb {

@@ -1,4 +1,4 @@
-#include "jobs/view_truth.h"
+#include "jobs/truth/view_truth.h"
 
 #include <bit>
 #include <cmath>

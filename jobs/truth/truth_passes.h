@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/camera.h"
-#include "jobs/truth.h"
-#include "jobs/truth_state.h"
+#include "jobs/truth/truth.h"
+#include "jobs/truth/truth_state.h"
 #include "truth/pixels.h"
 #include "truth/ray_caster.h"
 

@@ -1,4 +1,4 @@
-#include "jobs/load_scene.h"
+#include "jobs/truth/load_scene.h"
 
 #include <cstdint>
 #include <type_traits>

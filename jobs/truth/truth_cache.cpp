@@ -1,4 +1,4 @@
-#include "jobs/truth_cache.h"
+#include "jobs/truth/truth_cache.h"
 
 #include <algorithm>
 #include <utility>

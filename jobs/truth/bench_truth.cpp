@@ -1,4 +1,4 @@
-#include "jobs/bench_truth.h"
+#include "jobs/truth/bench_truth.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "jobs/truth_state.h"
+#include "jobs/truth/truth_state.h"
 
 #include <array>
 #include <bit>

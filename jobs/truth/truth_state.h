@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "jobs/truth.h"
+#include "jobs/truth/truth.h"
 #include "truth/beauty.h"
 #include "truth/escape_walk.h"
 #include "truth/irradiance.h"

@@ -5,7 +5,7 @@
 
 #include "core/monitor.h"
 #include "jobs/light/simulate_surface.h"
-#include "jobs/load_scene.h"
+#include "jobs/truth/load_scene.h"
 #include "reports/truth_bench_report.h"
 
 namespace plumb {

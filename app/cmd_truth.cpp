@@ -9,6 +9,7 @@
 #include "app/command.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "jobs/truth/facet_truth.h"
 #include "jobs/truth/truth.h"
 
 namespace plumb::app {
@@ -17,13 +18,28 @@ namespace {
 struct Options {
     std::string scene;
     TruthJob job;
-    bool no_alpha = false, no_v = false, no_cache = false;
+    bool no_alpha = false, no_v = false, no_cache = false, facets = false;
     Common common;
 };
+
+void RunFacets(const Options& o, Monitor& monitor) {
+    const FacetTruthResult result = MeasureFacetTruth(LoadScene(o.scene),
+                                                      {.spp = o.job.max_spp,
+                                                       .bounces = o.job.bounces,
+                                                       .alpha = !o.no_alpha,
+                                                       .seed = o.common.seed},
+                                                      o.common.out, monitor);
+    if (o.common.quiet) return;
+    std::cout << result.triangles << " triangles (" << result.zero_area
+              << " without area left out), mean V " << result.mean_V
+              << ", root mean square standard error of V " << result.rms_error_V << ", "
+              << result.lost << " rays lost\nTable: " << result.csv.string() << "\n";
+}
 
 void RunTruth(Options o) {
     SetThreadCount(o.common.threads);
     const auto monitor = MakeMonitor(o.common);
+    if (o.facets) return RunFacets(o, *monitor);
     o.job.alpha = !o.no_alpha;
     o.job.V = !o.no_v;
     o.job.use_cache = !o.no_cache;
@@ -98,6 +114,10 @@ void AddTruth(CLI::App& program) {
     command->add_option("--cache", o->job.cache,
                         "Folder of states; the folder cache in that of --out if not given");
     command->add_flag("--no-cache", o->no_cache, "Keep no state, and use none");
+    command->add_flag(
+        "--facets", o->facets,
+        "Measure every triangle over its area instead of a view: facets.csv, with "
+        "--spp, --bounces and --no-alpha");
     AddCommon(*command, o->common);
     command->callback([o] { RunTruth(*o); });
 }

@@ -92,5 +92,10 @@ grep -q '"stopped_by": "interruption"' stopped/truth.json || fail "the reason is
 "${run[@]}" --out stopped --resume || fail "going on after an interrupt"
 cmp whole/truth.exr stopped/truth.exr || fail "truth.exr differs after an interrupt and --resume"
 
+# Every triangle, in a table: a head and one line each.
+refused 'a power of two' "$plumb" truth wedge --facets --spp 100
+"$plumb" truth wedge --facets --spp 16 --bounces 1 --out facets --quiet || fail "facets"
+[ "$(wc -l <facets/facets.csv)" -eq 6401 ] || fail "$(wc -l <facets/facets.csv) lines in facets.csv"
+
 [ $failed -eq 0 ] && echo "all as expected"
 exit $failed

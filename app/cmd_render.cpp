@@ -56,12 +56,11 @@ void AddRender(CLI::App& program) {
         names += (names.empty() ? "" : ", ") + name;
     command->add_option("--technique", o->job.technique, "One of: " + names)
         ->capture_default_str();
-    command->add_option("--radius", o->job.settings.radius_m, "Radius [m]")
-        ->capture_default_str();
-    command
-        ->add_option("--samples", o->job.settings.samples,
-                     "Depth lookups or rays a pixel; 0 = as shipped")
-        ->capture_default_str();
+    command->add_option("--radius", o->job.radius_m,
+                        "Radius [m]; not given: the scene file's, else 1.5");
+    command->add_option("--samples", o->job.samples,
+                        "Depth lookups or rays a pixel; not given: the scene file's, else as "
+                        "shipped");
     AddViewOptions(*command, o->view);
     AddCommon(*command, o->common);
     command->callback([o] { Run(*o); });

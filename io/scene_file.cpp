@@ -22,6 +22,10 @@ constexpr NumberRule kPixels{"a whole number in [1, 65536]", [](double x) {
 constexpr NumberRule kTiles{"a whole number in [0, 16]",
                             [](double x) { return 0 <= x && x <= 16 && x == std::floor(x); }};
 
+constexpr NumberRule kSamples{"a whole number in [1, 4096]", [](double x) {
+                                  return 1 <= x && x <= 4096 && x == std::floor(x);
+                              }};
+
 class Reader {
   public:
     explicit Reader(const std::filesystem::path& path)
@@ -38,6 +42,10 @@ class Reader {
         if (fields.IsList("cameras")) {
             out_.has_cameras = true;
             ReadEach(fields, "cameras", [&](JsonFields& camera) { ReadCamera(camera); });
+        }
+        if (fields.IsList("techniques")) {
+            ReadEach(fields, "techniques",
+                     [&](JsonFields& technique) { ReadTechnique(technique); });
         }
         fields.Finish();
         return std::move(out_);
@@ -234,6 +242,21 @@ class Reader {
         Validate(camera,
                  file_ + ": cameras[" + std::to_string(out_.scene.cameras.size()) + "]");
         out_.scene.cameras.push_back(camera);
+    }
+
+    void ReadTechnique(JsonFields& fields) {
+        TechniqueEntry entry;
+        entry.name = fields.NeedText("name");
+        entry.radius_m = fields.Number("radius_m", kPositive);
+        if (const auto n = fields.Number("samples", kSamples)) entry.samples = int(*n);
+        entry.filter = fields.Flag("filter");
+        for (const TechniqueEntry& other : out_.techniques) {
+            if (other.name == entry.name) {
+                throw Error(fields.NameOf("name") + " = " + entry.name +
+                            ", must be named once only");
+            }
+        }
+        out_.techniques.push_back(std::move(entry));
     }
 
     std::filesystem::path path_;

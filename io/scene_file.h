@@ -21,6 +21,14 @@ struct HeightsEntry {
     int tiles = 1;  ///< A map that repeats is repeated so often to each side. [0, 16]
 };
 
+/// What the file says of one technique; what is unset is left to the command line.
+struct TechniqueEntry {
+    std::string name;                ///< Whether there is such a technique is not asked here.
+    std::optional<double> radius_m;  ///< > 0
+    std::optional<int> samples;      ///< Depth lookups or rays a pixel. [1, 4096]
+    std::optional<bool> filter;
+};
+
 /// What the file says. If it names a generator, `scene` has no surfaces yet, and what is unset
 /// is left to the generator.
 struct SceneFile {
@@ -30,7 +38,8 @@ struct SceneFile {
     bool has_light = false;
     bool has_cameras = false;
     std::vector<std::filesystem::path> files;  ///< That it was read from, itself first.
-    std::vector<std::string> notes;            ///< What was left out of them.
+    std::vector<TechniqueEntry> techniques;
+    std::vector<std::string> notes;  ///< What was left out of them.
 };
 
 /// Paths in the file are relative to its folder. Throws Error naming file, field, value, rule.

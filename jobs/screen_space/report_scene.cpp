@@ -107,7 +107,8 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
         job.techniques.empty() ? TechniqueNames() : job.techniques;
     std::vector<Technique> techniques;
     for (const std::string& name : names) {
-        techniques.push_back(TechniqueNamed(name, {.radius_m = job.radius_m}));
+        techniques.push_back(
+            TechniqueNamed(name, SettingsOf(loaded, name, {.radius_m = job.radius_m})));
     }
     const SaoOptions budget = SaoWith(job.budget, {.radius_m = job.radius_m});
 

@@ -230,6 +230,18 @@ Technique TechniqueNamed(const std::string& name, const TechniqueSettings& setti
     throw Error("technique = " + name + ", must be one of: " + names);
 }
 
+TechniqueSettings SettingsOf(const LoadedScene& loaded, const std::string& name,
+                             TechniqueSettings otherwise) {
+    for (const TechniqueEntry& entry : loaded.techniques) {
+        TechniqueNamed(entry.name);
+        if (entry.name != name) continue;
+        otherwise.radius_m = entry.radius_m.value_or(otherwise.radius_m);
+        otherwise.samples = entry.samples.value_or(otherwise.samples);
+        otherwise.filter = entry.filter.value_or(otherwise.filter);
+    }
+    return otherwise;
+}
+
 double TotalSeconds(const std::vector<Pass>& passes) {
     double seconds = 0;
     for (const Pass& pass : passes) seconds += pass.seconds;

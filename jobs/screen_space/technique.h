@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "jobs/truth/load_scene.h"
 #include "screen_space/gbuffer.h"
 #include "screen_space/sao/sao_passes.h"
 #include "truth/near_visibility.h"
@@ -72,6 +73,11 @@ Falloff FalloffOf(SaoFalloffKind kind);
 
 /// A preset of SAO with that radius, and taps where settings name them.
 SaoOptions SaoWith(const std::string& preset, const TechniqueSettings& settings);
+
+/// The settings of that technique: what the scene's file says of it, else `otherwise`. Throws Error
+/// if the file names a technique that there is not.
+TechniqueSettings SettingsOf(const LoadedScene& loaded, const std::string& name,
+                             TechniqueSettings otherwise);
 
 double TotalSeconds(const std::vector<Pass>& passes);
 

@@ -98,6 +98,7 @@ LoadedScene LoadScene(const std::string& name) {
         SceneFile file = ReadSceneFile(name);
         loaded.scene = std::move(file.scene);
         loaded.notes = std::move(file.notes);
+        loaded.techniques = std::move(file.techniques);
         for (const HeightsEntry& entry : file.heights) AddHeights(entry, loaded.scene);
         if (!file.generator.empty()) {
             Scene made = SceneKindNamed(file.generator).make();

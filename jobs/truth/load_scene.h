@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "io/scene_file.h"
 
 namespace plumb {
 
 struct LoadedScene {
     Scene scene;
-    std::vector<std::string> notes;  ///< What was left out of its files.
-    std::string digest;              ///< SHA-256 of all that its light depends on.
+    std::vector<std::string> notes;               ///< What was left out of its files.
+    std::string digest;                           ///< SHA-256 of all that its light depends on.
+    std::vector<TechniqueEntry> techniques = {};  ///< Their parameters, as its file has them.
 };
 
 /// "hall.json" (docs/scenes.md), or "make:KIND" or KIND for a generated one. Throws Error.

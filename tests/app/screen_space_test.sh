@@ -31,6 +31,16 @@ cat >sky.json <<'J'
 J
 refused 'sees no surface' "$plumb" report sky.json "${small[@]}" --no-studies
 
+# A scene file may set a technique's parameters; the command line goes before it.
+cat >mine.json <<'J'
+{"generator": "wedge", "techniques": [{"name": "gtao", "radius_m": 1e-4, "samples": 2}]}
+J
+sed 's/gtao/ssao/' mine.json >other.json
+refused 'technique = ssao, must be one of' "$plumb" render other.json "${small[@]}"
+"$plumb" render mine.json "${small[@]}" --technique gtao --out tiny >tiny.txt
+"$plumb" render mine.json "${small[@]}" --technique gtao --radius 1 --out wide >wide.txt
+cmp -s tiny/sample.png wide/sample.png && { echo "FAILED: --radius changed nothing"; failed=1; }
+
 # Extremes that still mean something give numbers: a radius beyond the scene, one tap, a thousand,
 # one pixel, eyes that touch a wall.
 cat >close.json <<'J'

@@ -238,7 +238,7 @@ TEST_F(SceneFiles, RefuseBadMeshes) {
                                  std::string(36, '\0') + "\xff");
     EXPECT_EQ(
         complaint("long.glb",
-                  std::string("glTF\2\0\0\0\x20\0\0\0\xf0\xff\xff\xffJSON{ }  ", 28)),
+                  std::string("glTF\2\0\0\0\x20\0\0\0\xf0\xff\xff\xffJSON{ }     ", 28)),
         "long.glb: is cut off or damaged: a chunk of 4294967280 bytes ends beyond the file");
     EXPECT_EQ(
         complaint("many.ply", "ply\nformat ascii 1.0\nelement vertex 2147483648\n" + head),

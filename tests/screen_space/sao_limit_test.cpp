@@ -5,6 +5,7 @@
 // by a quadrature in double that shares no code with the taps, on the shape itself.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -105,11 +106,13 @@ Integral OverTheDisc(const Function& f, int n) {
     return integral;
 }
 
-/// f of the tap at h u on the drawn pixels, its offset cut to whole pixels.
+/// f of the tap at h u on the drawn pixels, its offset cut to whole pixels; a tap beyond the picture
+/// meets the nearest pixel of its border.
 auto OnPixels(const Pixel& p, const Estimator& estimator) {
     return [&](double alpha, double theta) {
         const double h = alpha * p.disc_px;
-        const int i = p.x + int(h * std::cos(theta)), j = p.y + int(h * std::sin(theta));
+        const int i = std::clamp(p.x + int(h * std::cos(theta)), 0, p.g.view.DrawnWidth() - 1);
+        const int j = std::clamp(p.y + int(h * std::sin(theta)), 0, p.g.view.DrawnHeight() - 1);
         const Vec3 Q = p.g.view.Point(i + 0.5, j + 0.5, p.g.z_m(i, j));
         return estimator.f(Q - p.C, p.n, p.C.z());
     };

@@ -52,4 +52,15 @@ Image<Rgb> Smaller(const Image<Rgb>& image, int most_columns) {
     });
 }
 
+Image<float> Doubled(const Image<float>& half, int width_px, int height_px) {
+    Image<float> image(width_px, height_px);
+    for (int j = 0; j < height_px; ++j) {
+        for (int i = 0; i < width_px; ++i) {
+            image(i, j) =
+                half(std::min(i / 2, half.Width() - 1), std::min(j / 2, half.Height() - 1));
+        }
+    }
+    return image;
+}
+
 }  // namespace plumb

@@ -20,4 +20,7 @@ Image<float> CellImage(const HeightField& field, std::span<const double> per_fac
 Image<float> Smaller(const Image<float>& image, int most_columns);
 Image<Rgb> Smaller(const Image<Rgb>& image, int most_columns);
 
+/// Of a picture of half the size (rounded up), each pixel four times.
+Image<float> Doubled(const Image<float>& half, int width_px, int height_px);
+
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "jobs/pictures.h"
 #include "jobs/screen_space/score_technique.h"
 #include "score/pareto.h"
 #include "screen_space/raster/draw_gbuffer.h"
@@ -17,18 +18,6 @@ struct Setting {
     Technique technique;
     bool half = false;  // Drawn at half the resolution.
 };
-
-// Of a picture of half the size, each pixel four times.
-Image<float> Doubled(const Image<float>& half, int width_px, int height_px) {
-    Image<float> image(width_px, height_px);
-    for (int j = 0; j < height_px; ++j) {
-        for (int i = 0; i < width_px; ++i) {
-            image(i, j) =
-                half(std::min(i / 2, half.Width() - 1), std::min(j / 2, half.Height() - 1));
-        }
-    }
-    return image;
-}
 
 std::vector<Setting> SettingsOf(const std::string& name, double radius_m) {
     std::vector<Setting> settings{{"as shipped", TechniqueNamed(name, {.radius_m = radius_m})}};

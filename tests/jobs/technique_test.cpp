@@ -187,6 +187,13 @@ TEST(Smaller, IsTheMeanOfWholeBlocks) {
     EXPECT_EQ(Smaller(image, 5).Pixels(), image.Pixels());
 }
 
+// Expected: each of 2 x 1 pixels as a block of 2 x 2, the last block cut at the odd width.
+TEST(Doubled, ShowsEachPixelFourTimes) {
+    Image<float> half(2, 1);
+    half.Pixels() = {1, 5};
+    EXPECT_EQ(Doubled(half, 3, 2).Pixels(), (std::vector<float>{1, 1, 5, 1, 1, 5}));
+}
+
 // Expected: a clock that adds 1, 2, 3 ... seconds a call: medians by hand, the first run left out.
 TEST(Timed, TakesTheMedianOfTheRoundsAfterOneThatWarmsUp) {
     const Drawn drawn(FloorAndWall(16, 9), 0);

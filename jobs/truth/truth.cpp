@@ -1,11 +1,12 @@
 #include "jobs/truth/truth.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "core/error.h"
+#include "core/total_name.h"
 #include "io/image_io.h"
 #include "io/whole_file.h"
 #include "jobs/truth/truth_cache.h"
@@ -34,9 +35,7 @@ void AddQuantities(const TruthCounts& counts, const TruthJob& job, TruthPictures
         }
         pictures.Add("under_way", 0, [&](std::int64_t i) { return counts.walks->UnderWay(i); });
         for (const double rho : job.albedos) {
-            std::ostringstream name;
-            name << "E(" << rho << ")";
-            pictures.Add(name.str(), 1,
+            pictures.Add(TotalName(Albedo(rho)), 1,
                          [&](std::int64_t i) { return counts.walks->Total(i, Albedo(rho)); });
         }
     }
@@ -127,6 +126,9 @@ void Validate(const TruthJob& job) {
     }
     for (const double rho : job.albedos) {
         if (!(rho >= 0 && rho <= 1)) throw Error(MustBe("albedo", rho, "in [0, 1]"));
+        if (std::ranges::count(job.albedos, rho) > 1) {
+            throw Error(MustBe("albedo", rho, "given once"));
+        }
     }
     if (!job.albedos.empty() && job.bounces == 0) {
         throw Error("albedo without bounces, must have bounces >= 1");

@@ -7,6 +7,8 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <set>
+#include <sstream>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -227,6 +229,11 @@ TEST_F(Truths, NameWhatIsWrong) {
     EXPECT_THAT(complaint([](TruthJob& j) { j.V = j.alpha = false; }),
                 HasSubstr("nothing to measure"));
     EXPECT_THAT(complaint([](TruthJob& j) { j.albedos = {0.5}; }), HasSubstr("bounces"));
+    EXPECT_EQ(complaint([](TruthJob& j) {
+                  j.bounces = 1;
+                  j.albedos = {0.5, 0.25, 0.5};
+              }),
+              "albedo = 0.5, must be given once");
     EXPECT_THAT(complaint([](TruthJob& j) { j.camera = "gone"; }),
                 HasSubstr("camera \"gone\", must be one of"));
     EXPECT_THAT(complaint([](TruthJob& j) { j.width_px = -1; }),
@@ -237,6 +244,34 @@ TEST_F(Truths, NameWhatIsWrong) {
                 HasSubstr("must be at most 2^28"));
     EXPECT_THAT(complaint([](TruthJob& j) { j.resume = true; }), HasSubstr("is missing"));
     EXPECT_FALSE(std::filesystem::exists(Path("out")));
+}
+
+// Law: readers of EXR split a channel's name at its dots into layers, so a name has a dot only
+// before a part (.error, .x, .R), and no bracket.
+TEST_F(Truths, ChannelsHaveDotsOnlyBeforeParts) {
+    TruthJob job = Small(64);
+    job.bounces = 2;
+    job.albedos = {0.5, 0.125};
+    job.reach_m = 1;
+    job.irradiance = job.beauty = true;
+    std::set<std::string> layers;
+    for (const NamedChannel& channel : Measure("out", job).channels) {
+        std::istringstream parts(channel.name);
+        std::string layer;
+        std::getline(parts, layer, '.');
+        layers.insert(layer);
+        EXPECT_EQ(layer.find_first_of("()[] "), std::string::npos) << channel.name;
+        for (std::string part; std::getline(parts, part, '.');) {
+            EXPECT_THAT((std::vector<std::string>{"error", "low", "high", "R", "G", "B", "x",
+                                                  "y", "z"}),
+                        Contains(part))
+                << channel.name;
+        }
+    }
+    EXPECT_EQ(layers, (std::set<std::string>{"V", "alpha", "V_near", "E_1", "E_2", "under_way",
+                                             "E_rho0p5", "E_rho0p125", "irradiance", "beauty",
+                                             "depth_m", "normal", "position_m", "albedo",
+                                             "triangle_bits"}));
 }
 
 // A cube seen from its middle, and from outside; a triangle without area beside it.

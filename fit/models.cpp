@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/names.h"
 #include "fit/bounce_family.h"
 #include "fit/cavity.h"
 #include "fit/direct_factor.h"
@@ -123,12 +124,13 @@ std::span<const Model> AllModels() {
 }
 
 const Model& FindModel(std::string_view name) {
-    std::string names;
+    std::vector<std::string> names;
     for (const Model& model : AllModels()) {
         if (model.name == name) return model;
-        names += (names.empty() ? "" : "; ") + std::string(model.name);
+        names.emplace_back(model.name);
     }
-    throw Error("model = " + std::string(name) + ", must be one of: " + names);
+    // Some names have a comma.
+    throw Error("model = " + std::string(name) + ", " + MustBeOneOf(name, names, "; "));
 }
 
 Formula AtInitialValues(const Model& model, std::string name) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/names.h"
 #include "io/whole_file.h"
 
 namespace plumb {
@@ -29,12 +30,6 @@ std::string Quote(const Json& value) {
 
 [[noreturn]] void Refuse(const std::string& name, const Json& value, const std::string& rule) {
     throw Error(name + " = " + Quote(value) + ", must be " + rule);
-}
-
-std::string Join(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
 }
 
 double CheckedNumber(const Json& value, const std::string& name, const NumberRule& rule) {
@@ -129,7 +124,8 @@ std::optional<std::string> JsonFields::OneOf(const char* field,
     if (value == nullptr) return std::nullopt;
     if (!value->is_string() ||
         std::find(choices.begin(), choices.end(), value->get<std::string>()) == choices.end()) {
-        Refuse(NameOf(field), *value, "one of " + Join(choices));
+        throw Error(NameOf(field) + " = " + Quote(*value) + ", " +
+                    MustBeOneOf(value->is_string() ? value->get<std::string>() : "", choices));
     }
     return value->get<std::string>();
 }
@@ -190,8 +186,8 @@ const Json& JsonFields::NeedList(const char* field) {
 void JsonFields::Finish() const {
     for (const auto& [field, value] : object_.items()) {
         if (std::find(asked_.begin(), asked_.end(), field) == asked_.end()) {
-            throw Error(NameOf(field) + " = " + Quote(value) +
-                        ": unknown field, must be one of " + Join(asked_));
+            throw Error(NameOf(field) + " = " + Quote(value) + ": unknown field, " +
+                        MustBeOneOf(field, asked_));
         }
     }
 }

@@ -6,16 +6,15 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/names.h"
 #include "io/geotiff.h"
 
 namespace plumb {
 namespace {
 
-std::string ChannelNames(const StoredImage& image) {
-    std::string names;
-    for (const StoredImage::Channel& channel : image.channels) {
-        names += (names.empty() ? "" : ", ") + channel.name;
-    }
+std::vector<std::string> ChannelNames(const StoredImage& image) {
+    std::vector<std::string> names;
+    for (const StoredImage::Channel& channel : image.channels) names.push_back(channel.name);
     return names;
 }
 
@@ -30,7 +29,8 @@ const StoredImage::Channel& ChannelNamed(const StoredImage& image, const std::st
                                          const std::string& file) {
     const StoredImage::Channel* channel = Find(image, name);
     if (channel == nullptr) {
-        throw Error(file + ": channel = " + name + ", must be one of " + ChannelNames(image));
+        throw Error(file + ": channel = " + name + ", " +
+                    MustBeOneOf(name, ChannelNames(image)));
     }
     return *channel;
 }
@@ -47,7 +47,7 @@ const StoredImage::Channel& OnlyChannel(const StoredImage& image, const std::str
     if (grey != nullptr && image.channels.size() == 2 && Find(image, "A") != nullptr) {
         return *grey;
     }
-    throw Error(file + ": has the channels " + ChannelNames(image) +
+    throw Error(file + ": has the channels " + Joined(ChannelNames(image)) +
                 " and they differ, must be one or alike; name one in the side file's field "
                 "\"channel\" (or \"packing\": \"rgb24\")");
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/names.h"
 #include "io/json_file.h"
 
 namespace plumb {
@@ -74,9 +75,7 @@ SideFile ReadSideFile(const std::filesystem::path& image) {
 }
 
 void CheckBoundary(const std::string& where, const std::string& boundary) {
-    if (std::find(kBoundaries.begin(), kBoundaries.end(), boundary) == kBoundaries.end()) {
-        throw Error(where + " = " + boundary + ", must be one of wrap, mirror, open");
-    }
+    PlaceOf(boundary, kBoundaries, where + " = " + boundary);
 }
 
 }  // namespace plumb

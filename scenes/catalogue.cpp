@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "core/error.h"
+#include "core/names.h"
 #include "scenes/atrium.h"
 #include "scenes/dense.h"
 #include "scenes/simple.h"
@@ -31,12 +31,9 @@ std::span<const SceneKind> SceneKinds() {
 }
 
 const SceneKind& SceneKindNamed(std::string_view name) {
-    std::string names;
-    for (const SceneKind& kind : kKinds) {
-        if (kind.name == name) return kind;
-        names += (names.empty() ? "" : ", ") + std::string(kind.name);
-    }
-    throw Error("scene \"" + std::string(name) + "\", must be one of " + names);
+    return FindNamed(
+        kKinds, [](const SceneKind& kind) { return kind.name; }, name,
+        "scene \"" + std::string(name) + "\"");
 }
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "core/names.h"
 #include "heightfield/procedural/bricks.h"
 #include "heightfield/procedural/cobbles.h"
 #include "heightfield/procedural/gravel.h"
@@ -46,12 +47,9 @@ std::span<const ProceduralKind> ProceduralKinds() {
 }
 
 const ProceduralKind& ProceduralKindNamed(std::string_view name) {
-    std::string names;
-    for (const ProceduralKind& kind : kKinds) {
-        if (kind.name == name) return kind;
-        names += (names.empty() ? "" : ", ") + std::string(kind.name);
-    }
-    throw Error("procedural surface \"" + std::string(name) + "\", must be one of " + names);
+    return FindNamed(
+        kKinds, [](const ProceduralKind& kind) { return kind.name; }, name,
+        "procedural surface \"" + std::string(name) + "\"");
 }
 
 Tile AdvisedTile(const ProceduralKind& kind, int width_texels, int height_texels) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/names.h"
 #include "heightfield/facet.h"
 #include "io/content_hash.h"
 #include "io/scene_file.h"
@@ -118,12 +119,9 @@ LoadedScene LoadScene(const std::string& name) {
 const Camera& CameraNamed(const Scene& scene, const std::string& name) {
     if (scene.cameras.empty()) throw Error(scene.name + ": no cameras, must have one");
     if (name.empty()) return scene.cameras.front();
-    std::string names;
-    for (const Camera& camera : scene.cameras) {
-        if (camera.name == name) return camera;
-        names += (names.empty() ? "" : ", ") + camera.name;
-    }
-    throw Error(scene.name + ": camera \"" + name + "\", must be one of " + names);
+    return FindNamed(
+        scene.cameras, [](const Camera& camera) { return camera.name; }, name,
+        scene.name + ": camera \"" + name + "\"");
 }
 
 }  // namespace plumb

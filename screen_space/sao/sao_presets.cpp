@@ -1,6 +1,6 @@
 #include "screen_space/sao/sao_presets.h"
 
-#include "core/error.h"
+#include "core/names.h"
 #include "screen_space/sao/alchemy_ao.h"
 
 namespace plumb {
@@ -79,12 +79,11 @@ std::vector<SaoPreset> SaoPresets() {
 }
 
 SaoOptions SaoPresetNamed(const std::string& name) {
-    std::string names;
-    for (const SaoPreset& preset : SaoPresets()) {
-        if (preset.name == name) return preset.options;
-        names += (names.empty() ? "" : ", ") + preset.name;
-    }
-    throw Error("preset \"" + name + "\", must be one of " + names);
+    const std::vector<SaoPreset> presets = SaoPresets();
+    return FindNamed(
+               presets, [](const SaoPreset& preset) { return preset.name; }, name,
+               "preset \"" + name + "\"")
+        .options;
 }
 
 }  // namespace plumb

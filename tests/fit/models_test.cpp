@@ -80,7 +80,7 @@ TEST(Models, AnUnknownNameIsAnErrorThatListsTheKnown) {
     } catch (const Error& error) {
         EXPECT_THAT(
             error.what(),
-            testing::StartsWith("model = F2, must be one of: F0; F1; F1, free exponents"));
+            testing::StartsWith("model = F2, must be one of F0; F1; F1, free exponents"));
     }
 }
 

@@ -372,7 +372,7 @@ TEST(Catalogue, RefusesAnUnknownNameWithTheListOfAll) {
         EXPECT_STREQ(
             e.what(),
             "procedural surface \"brick\", must be one of stone_wall, bricks, cobbles, "
-            "gravel, hex_tiles, terrain, ridges, shapes");
+            "gravel, hex_tiles, terrain, ridges, shapes; did you mean bricks?");
     }
 }
 

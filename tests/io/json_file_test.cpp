@@ -96,7 +96,8 @@ TEST(JsonFields, RefusesWhatNobodyAskedFor) {
     fields.Number("spacing_m", kPositive);
     fields.Number("high_m", kFinite);
     EXPECT_EQ(MessageOf<Error>([&] { fields.Finish(); }),
-              "a.json: hight_m = 3: unknown field, must be one of spacing_m, high_m");
+              "a.json: hight_m = 3: unknown field, must be one of spacing_m, high_m; "
+              "did you mean high_m?");
 }
 
 TEST(JsonFields, CutsLongValues) {

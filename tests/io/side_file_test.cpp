@@ -73,7 +73,7 @@ TEST_F(Side, RefusesUnknownFields) {
     EXPECT_EQ(MessageOf(R"({"spacing": 1})"),
               "wall.json: spacing = 1: unknown field, must be one of name, spacing_m, "
               "amplitude_m, amplitude_of_width, metres_per_unit, low_m, high_m, boundary, "
-              "channel, packing, source, licence");
+              "channel, packing, source, licence; did you mean spacing_m?");
 }
 
 TEST_F(Side, RefusesTwoWaysToTheHeights) {

@@ -3,7 +3,8 @@
 #
 # Adds the library plumb::<name> from the folder <name>. USES lists the modules below it that its
 # files may include. A third-party library goes under PRIVATE (its headers appear in .cpp files
-# only) unless a public header needs it. Every header must compile on its own: the target
+# only) unless a public header needs it. An installed plumb offers the same target
+# (find_package(plumb), cmake/PlumbInstall.cmake). Every header must compile on its own: the target
 # all_verify_interface_header_sets does that, and the tests build it.
 function(plumb_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;SOURCES;USES;PUBLIC;PRIVATE")
@@ -24,7 +25,10 @@ function(plumb_module name)
   if(arg_PRIVATE)
     target_link_libraries(plumb_${name} PRIVATE ${arg_PRIVATE})
   endif()
-  set_target_properties(plumb_${name} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
+  set_target_properties(plumb_${name} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON EXPORT_NAME ${name})
+  install(TARGETS plumb_${name} EXPORT plumbTargets
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb)
 endfunction()
 
 # plumb_test(<name> SOURCES ... USES <module>... [PRIVATE <target>...])

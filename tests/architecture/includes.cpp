@@ -10,25 +10,6 @@ namespace {
 
 using Words = std::set<std::string>;
 
-// Who may include whom, besides itself. The judge (truth) shares nothing with the judged
-// (screen_space, formfactor, heightfield) but core: a slip in a shared kernel would cancel.
-const std::map<std::string, Words> kMayInclude{
-    {"core", {}},
-    {"io", {"core"}},
-    {"scenes", {"core"}},
-    {"heightfield", {"core"}},
-    {"formfactor", {"core", "heightfield"}},
-    {"screen_space", {"core"}},
-    {"truth", {"core"}},
-    {"fit", {"core"}},
-    {"score", {"core"}},
-    {"reports", {"core", "fit", "score"}},
-    {"jobs",
-     {"core", "io", "scenes", "heightfield", "formfactor", "screen_space", "truth", "fit",
-      "score", "reports"}},
-    {"app", {"core", "jobs"}},  // core: errors and the monitor, which every job speaks
-};
-
 struct Library {
     std::string prefix;  ///< Of its headers.
     Words rooms;         ///< Where its headers may appear.
@@ -81,14 +62,36 @@ std::string WhyNot(const SourceFile& file, const std::string& header) {
 /// Why `file` may not include "header"; empty if it may.
 std::string WhyNotOurs(const SourceFile& file, const std::string& header) {
     const std::string from = RoomOf(file.path), to = RoomOf(header);
-    if (header.find('/') == std::string::npos || !kMayInclude.contains(to)) {
+    if (header.find('/') == std::string::npos || !MayInclude().contains(to)) {
         return "a path that does not start with a room";
     }
-    if (to != from && !kMayInclude.at(from).contains(to)) return from + " may not see " + to;
+    if (to != from && !MayInclude().at(from).contains(to)) return from + " may not see " + to;
     return {};
 }
 
 }  // namespace
+
+// Who may include whom, besides itself. The judge (truth) shares nothing with the judged
+// (screen_space, formfactor, heightfield) but core: a slip in a shared kernel would cancel.
+const std::map<std::string, Words>& MayInclude() {
+    static const std::map<std::string, Words> may{
+        {"core", {}},
+        {"io", {"core"}},
+        {"scenes", {"core"}},
+        {"heightfield", {"core"}},
+        {"formfactor", {"core", "heightfield"}},
+        {"screen_space", {"core"}},
+        {"truth", {"core"}},
+        {"fit", {"core"}},
+        {"score", {"core"}},
+        {"reports", {"core", "fit", "score"}},
+        {"jobs",
+         {"core", "io", "scenes", "heightfield", "formfactor", "screen_space", "truth", "fit",
+          "score", "reports"}},
+        {"app", {"core", "jobs"}},  // core: errors and the monitor, which every job speaks
+    };
+    return may;
+}
 
 std::vector<std::string> ForbiddenIncludes(const SourceFile& file) {
     std::vector<std::string> forbidden;

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <sstream>
+
 namespace plumb {
 namespace {
 
@@ -48,6 +50,30 @@ TEST(Includes, ALibraryStaysInItsRoom) {
     EXPECT_THAT(In("io/a.cpp", "#include <boost/any.hpp>"),
                 ElementsAre("io/a.cpp:1: includes <boost/any.hpp>: a library that no room is "
                             "named for"));
+}
+
+// Rooms of a cell such as "heightfield, core".
+std::set<std::string> RoomsIn(const std::string& cell) {
+    std::set<std::string> rooms;
+    std::istringstream words(cell);
+    for (std::string word; words >> word;) {
+        rooms.insert(word.substr(0, word.find(',')));
+    }
+    return rooms;
+}
+
+TEST(Includes, TheTableOfRoomsInTheDocsIsTheRule) {
+    std::map<std::string, std::set<std::string>> told;
+    std::istringstream page(TextOf("docs/building.md"));
+    for (std::string line; std::getline(page, line);) {
+        if (!line.starts_with("| `")) continue;
+        std::vector<std::string> cells;  // "", room, what is in it, may include, library
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, '|');) cells.push_back(cell);
+        if (cells.size() != 5) continue;  // the table of presets
+        told[cells[1].substr(2, cells[1].size() - 4)] = RoomsIn(cells[3]);
+    }
+    EXPECT_EQ(told, MayInclude());
 }
 
 }  // namespace

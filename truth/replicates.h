@@ -20,7 +20,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/intervals.h"
+#include "core/measured.h"
 
 namespace plumb {
 
@@ -41,13 +41,6 @@ inline constexpr std::uint32_t kFirstDirection = 0, kPlace = 1, kLaterDirections
 
 /// The seed of one net of one receiver.
 std::uint64_t NetSeed(std::uint64_t seed, std::int64_t receiver, int replicate);
-
-/// A number in [0, 1] with its error.
-struct Measured {
-    double value = 0;
-    double standard_error = 0;
-    Interval interval;  ///< Holds the truth with the confidence that was asked for.
-};
 
 inline constexpr double kConfidence = 0.95;
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/bounce_histogram.h"
+#include "core/clock.h"
 #include "core/monitor.h"
 #include "formfactor/bounces.h"
 #include "formfactor/links.h"
@@ -66,10 +67,6 @@ struct SurfaceLight {
 /// Bins along one side of the grid over (alpha, V): fine enough that its bins are narrower than
 /// those of either histogram where facets are, coarse enough that bins hold several facets.
 inline constexpr int kAlphaVGridSide = 24;
-
-/// What a simulation takes its times with: seconds from some fixed moment. Jobs have no clock
-/// of their own.
-using Clock = std::function<double()>;
 
 /// Those who want to see more than SurfaceLight keeps; each may be empty.
 struct SimulateViews {

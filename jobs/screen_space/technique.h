@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/clock.h"
 #include "core/scene.h"
 #include "jobs/truth/load_scene.h"
 #include "screen_space/gbuffer.h"
@@ -40,8 +41,7 @@ struct Pass {
     double seconds = 0;  ///< Wall clock, all threads.
 };
 
-/// Seconds from some fixed moment: jobs have no clock of their own.
-using PassClock = std::function<double()>;
+using PassClock = Clock;
 
 struct Technique {
     std::string name;

@@ -150,8 +150,7 @@ void Validate(const TruthJob& job) {
 
 TruthResult MeasureTruth(const LoadedScene& loaded, const TruthJob& job,
                          const std::filesystem::path& folder, const std::string& tool_version,
-                         const std::string& command, const std::function<double()>& clock,
-                         Monitor& monitor) {
+                         const std::string& command, const Clock& clock, Monitor& monitor) {
     const double start_s = clock();
     Validate(job);
     const Scene& scene = loaded.scene;

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/clock.h"
 #include "core/monitor.h"
 #include "io/image_io.h"
 #include "jobs/truth/load_scene.h"
@@ -62,7 +63,7 @@ struct TruthResult {
 /// the first pass writes what there is; before it, Interrupted is thrown.
 TruthResult MeasureTruth(const LoadedScene& loaded, const TruthJob& job,
                          const std::filesystem::path& folder, const std::string& tool_version,
-                         const std::string& command, const std::function<double()>& clock,
+                         const std::string& command, const Clock& clock,
                          Monitor& monitor = SilentMonitor());
 
 }  // namespace plumb

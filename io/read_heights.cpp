@@ -66,6 +66,14 @@ Image<double> Unpack24(const StoredImage& image, const std::string& file) {
     return packed;
 }
 
+/// The "no data" number as the pixels hold it: a tag in decimal digits has others than a float.
+/// -3.40282346638529e+38 (15 digits, as GDAL writes) is no float, its nearest one is.
+std::optional<double> AsStored(std::optional<double> number, const StoredImage& image) {
+    if (!number || !image.is_float || image.bits == 64) return number;
+    if (image.bits == 16) return double(Eigen::half(float(*number)));
+    return double(float(*number));
+}
+
 /// Every pixel must be a measured, finite number.
 void CheckPixels(const Image<double>& stored, std::optional<double> no_data,
                  const std::string& file) {
@@ -112,7 +120,7 @@ RawHeights ReadHeights(const std::filesystem::path& path, const HeightEncoding& 
         heights.values = channel.stored;
         heights.channel = channel.name;
     }
-    CheckPixels(heights.values, tags.no_data, file);
+    CheckPixels(heights.values, AsStored(tags.no_data, image), file);
     for (double& value : heights.values.Pixels()) value /= heights.full_scale;
     return heights;
 }

@@ -84,6 +84,33 @@ TEST_F(Heights, WhatIsNoHeightIsNamedByItsPixel) {
                   ": pixel (0, 1) = -32768, must be measured, is the file's \"no data\" value");
 }
 
+// However a program writes "no data" in decimal digits, the number that the pixels hold is meant.
+TEST_F(Heights, NoDataIsKnownInEverySpelling) {
+    const float lowest = std::numeric_limits<float>::lowest();
+    for (const char* spelling :
+         {"-3.40282346638529e+38", "-3.4028234663852886e+38", "-3.40282347e+38",
+          "-340282346638528859811704183484516925440"}) {
+        WriteGeoTiffOf<float>(Path("a.tif"), 2, {5, 6, lowest, 7}, {.no_data = spelling});
+        EXPECT_THAT(
+            MessageOf<Error>([&] { ReadHeights(Path("a.tif")); }),
+            testing::HasSubstr("pixel (0, 1) = -3.4028234663852886e+38, must be measured"))
+            << spelling;
+    }
+    WriteGeoTiffOf<float>(Path("b.tif"), 2, {5, 0.1F, 4, 7}, {.no_data = "0.1"});
+    EXPECT_THROW(ReadHeights(Path("b.tif")), Error);
+    for (const char* spelling : {"-9999", "-9999.0", "-9.999e3", " -9999 "}) {
+        WriteGeoTiffOf<float>(Path("c.tif"), 2, {5, 6, 4, -9999}, {.no_data = spelling});
+        EXPECT_THROW(ReadHeights(Path("c.tif")), Error) << spelling;
+        WriteGeoTiffOf<double>(Path("d.tif"), 2, {5, 6, 4, -9999}, {.no_data = spelling});
+        EXPECT_THROW(ReadHeights(Path("d.tif")), Error) << spelling;
+        WriteGeoTiff(Path("e.tif"), 2, {5, 6, 4, -9999}, {.no_data = spelling});
+        EXPECT_THROW(ReadHeights(Path("e.tif")), Error) << spelling;
+    }
+    // A double holds more digits than a float: what differs in them is another number.
+    WriteGeoTiffOf<double>(Path("f.tif"), 2, {5, 6, 4, 0.1}, {.no_data = "0.10000000149"});
+    EXPECT_EQ(ReadHeights(Path("f.tif")).values(1, 1), 0.1);
+}
+
 TEST_F(Heights, TakesTheSpacingOfAGeoTiff) {
     WriteGeoTiff(Path("a.tif"), 2, {5, 6, 8, 7}, {.pixel_scale = {74, 93, 0}});
     EXPECT_EQ(ReadHeights(Path("a.tif")).spacing_m, Vec2(74, 93));

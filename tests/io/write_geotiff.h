@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace plumb {
@@ -19,10 +20,10 @@ struct GeoTiffOptions {
     std::string no_data = {};                  ///< Tag 42113.
 };
 
-/// 16-bit signed heights.
-inline void WriteGeoTiff(const std::filesystem::path& path, std::uint32_t width,
-                         const std::vector<std::int16_t>& heights,
-                         const GeoTiffOptions& options) {
+/// Heights in the type T: signed integers or floats.
+template <class T>
+void WriteGeoTiffOf(const std::filesystem::path& path, std::uint32_t width,
+                    const std::vector<T>& heights, const GeoTiffOptions& options) {
     char names[4][32] = {"ModelPixelScale", "ModelTransformation", "GeoKeyDirectory",
                          "GdalNoData"};
     const std::array<TIFFFieldInfo, 4> fields{{
@@ -36,9 +37,10 @@ inline void WriteGeoTiff(const std::filesystem::path& path, std::uint32_t width,
     TIFFMergeFieldInfo(file, fields.data(), fields.size());
     TIFFSetField(file, TIFFTAG_IMAGEWIDTH, width);
     TIFFSetField(file, TIFFTAG_IMAGELENGTH, std::uint32_t(heights.size()) / width);
-    TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, 16);
+    TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, int(8 * sizeof(T)));
     TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, 1);
-    TIFFSetField(file, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_INT);
+    TIFFSetField(file, TIFFTAG_SAMPLEFORMAT,
+                 std::is_floating_point_v<T> ? SAMPLEFORMAT_IEEEFP : SAMPLEFORMAT_INT);
     TIFFSetField(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
     const auto set = [&](std::uint32_t tag, const auto& values) {
         if (!values.empty()) TIFFSetField(file, tag, int(values.size()), values.data());
@@ -53,11 +55,18 @@ inline void WriteGeoTiff(const std::filesystem::path& path, std::uint32_t width,
         set(34735, directory);
     }
     if (!options.no_data.empty()) TIFFSetField(file, 42113, options.no_data.c_str());
-    std::vector<std::int16_t> rows = heights;
+    std::vector<T> rows = heights;
     for (std::uint32_t j = 0; j < heights.size() / width; ++j) {
         ASSERT_EQ(TIFFWriteScanline(file, &rows[j * width], j, 0), 1);
     }
     TIFFClose(file);
+}
+
+/// 16-bit signed heights.
+inline void WriteGeoTiff(const std::filesystem::path& path, std::uint32_t width,
+                         const std::vector<std::int16_t>& heights,
+                         const GeoTiffOptions& options) {
+    WriteGeoTiffOf(path, width, heights, options);
 }
 
 }  // namespace plumb

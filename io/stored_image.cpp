@@ -65,6 +65,9 @@ StoredImage Read(const std::filesystem::path& path, std::int64_t max_numbers) {
     const auto input = Open(path);
     const OIIO::ImageSpec& spec = input->spec();
     CheckImageSize(path.string(), spec.width, spec.height, spec.nchannels, max_numbers);
+    if (spec.get_int_attribute("oiio:subimages", 1) > 1) {
+        throw Error(path.string() + ": holds several images (parts), must hold one");
+    }
     if (spec.deep || spec.depth > 1) {
         throw Error(path.string() + ": is a deep image or a volume, must be flat");
     }
@@ -88,6 +91,25 @@ StoredImage Read(const std::filesystem::path& path, std::int64_t max_numbers) {
     return image;
 }
 
+/// Bits of a number of a whole PNG, from its header ([PNG] 11.2.2); 8 for a palette, whose colours
+/// have 8 bits.
+int PngBits(std::string_view bytes) {
+    constexpr std::size_t kBitDepth = 24, kColourType = 25;
+    constexpr char kPalette = 3;
+    return bytes[kColourType] == kPalette ? 8 : bytes[kBitDepth];
+}
+
+/// The decoder spreads numbers of 1, 2 and 4 bits over 0 ... 255: 255 / (2^bits - 1) to a step.
+void UndoScalingToEightBits(StoredImage& image, int bits) {
+    if (bits >= 8) return;
+    const double step = image.full_scale / GreatestInteger(bits, false);
+    for (StoredImage::Channel& channel : image.channels) {
+        for (double& number : channel.stored.Pixels()) number /= step;
+    }
+    image.bits = bits;
+    image.full_scale = GreatestInteger(bits, false);
+}
+
 }  // namespace
 
 StoredImage ReadStoredImage(const std::filesystem::path& path, std::int64_t max_numbers) {
@@ -96,7 +118,9 @@ StoredImage ReadStoredImage(const std::filesystem::path& path, std::int64_t max_
     if (format == ImageFormat::kPfm) return ParsePfm(bytes, path.string(), max_numbers);
     if (format == ImageFormat::kTiff) return ReadTiffImage(path, max_numbers);
     if (format == ImageFormat::kPng) CheckPngIsWhole(path, bytes);
-    return Read(path, max_numbers);
+    StoredImage image = Read(path, max_numbers);
+    if (format == ImageFormat::kPng) UndoScalingToEightBits(image, PngBits(bytes));
+    return image;
 }
 
 }  // namespace plumb

@@ -1,10 +1,10 @@
 // An image as its file stores it: numbers, not colours.
 //
-// PNG, TIFF, OpenEXR and PFM. No gamma, no colour profile, no multiplication by alpha. Of a
-// file with several images the first is read.
+// PNG, TIFF, OpenEXR and PFM. No gamma, no colour profile, no multiplication by alpha. A file
+// with several images is refused (an overview of a TIFF is no image of its own).
 //
 // Beware   Row 0 is the top row of the picture, as everywhere but in a PFM file, whose rows are
-//          turned. Integers of less than 8 bits are scaled up to 8 by the decoders.
+//          turned.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,8 @@ struct StoredImage {
     std::vector<Channel> channels;  ///< At least one, all of one size.
     bool is_float = false;
     bool is_signed = false;  ///< Of integers.
-    int bits = 0;            ///< Of a stored number: 8, 16 or 32; 64 for double.
-    double full_scale = 1;   ///< Greatest integer: 255, 65535, 32767 ...; 1 for floats.
+    int bits = 0;            ///< Of a stored number: 1, 2, 4 (PNG), 8, 16, 32; 64 for double.
+    double full_scale = 1;   ///< Greatest integer: 1, 255, 65535, 32767 ...; 1 for floats.
     std::vector<std::pair<std::string, std::string>> metadata;  ///< Texts of the file.
 
     int Width() const { return channels.front().stored.Width(); }

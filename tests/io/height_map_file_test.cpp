@@ -8,6 +8,7 @@
 #include "tests/io/temp_folder.h"
 #include "tests/io/write_geotiff.h"
 #include "tests/io/write_images.h"
+#include "tests/io/write_png.h"
 
 namespace plumb {
 namespace {
@@ -67,6 +68,28 @@ TEST_F(HeightMap, TheSideFileSaysHowValuesBecomeMetres) {
                   {236, 1546.7, 2857.4, 6789.5});
     ExpectHeights(Read(R"({"low_m": -1, "high_m": 4})"), {-1, 0, 1, 4});
     EXPECT_DOUBLE_EQ(Read(R"({"metres_per_unit": 0.1})").step_m, 0.1);
+}
+
+// Steps of 0.1 m are steps of 0.1 m in any number of bits: 1 in one bit and 1 in 16 are the same
+// height, and a map as high as its bits allow is (2^bits - 1) steps high.
+TEST_F(HeightMap, MetresPerUnitDoNotDependOnTheBits) {
+    Put("few.json", R"({"metres_per_unit": 0.1, "low_m": 3})");
+    for (const int bits : {1, 2, 4, 8}) {
+        const int greatest = (1 << bits) - 1;
+        Put("few.png", GreyPngRow(bits, {0, 1, greatest}));
+        const HeightMapFile map = ReadHeightMap(Path("few.png"));
+        ExpectHeights(map, {3, 3.1, 3 + 0.1 * greatest});
+        EXPECT_DOUBLE_EQ(map.step_m, 0.1);
+        EXPECT_EQ(map.bits, bits);
+    }
+    WriteStored<std::uint16_t>(Path("few.png"), 3, 1, {"Y"}, {0, 1, 65535});
+    ExpectHeights(ReadHeightMap(Path("few.png")), {3, 3.1, 6556.5});
+    // An amplitude is between the values 0 and 1, whatever the bits.
+    for (const int bits : {1, 2, 4, 8}) {
+        Put("few.json", R"({"amplitude_m": 2})");
+        Put("few.png", GreyPngRow(bits, {0, (1 << bits) - 1}));
+        ExpectHeights(ReadHeightMap(Path("few.png")), {0, 2});
+    }
 }
 
 TEST_F(HeightMap, TheSideFileSaysTheRest) {

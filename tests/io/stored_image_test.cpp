@@ -9,6 +9,7 @@
 #include "io/image_io.h"
 #include "tests/io/temp_folder.h"
 #include "tests/io/write_images.h"
+#include "tests/io/write_png.h"
 
 namespace plumb {
 namespace {
@@ -120,33 +121,47 @@ TEST_F(Stored, MissingEmptyAndFalseFilesAreErrors) {
         HasSubstr("junk.exr: cannot be read"));
 }
 
-/// The PNG checksum by its definition, bit by bit (ISO 3309).
-std::uint32_t Crc(const std::string& bytes) {
-    std::uint32_t crc = 0xffffffffu;
-    for (char byte : bytes) {
-        crc ^= std::uint8_t(byte);
-        for (int k = 0; k < 8; ++k) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
-    }
-    return ~crc;
-}
-
-std::string BigEndian(std::uint32_t number) {
-    std::string bytes;
-    for (int k = 3; k >= 0; --k) bytes += char(number >> 8 * k);
-    return bytes;
-}
-
 // A header may claim any size: it is refused before memory is taken (6.4 GB in this case).
 TEST_F(Stored, HugeImagesAreRefusedByTheirHeader) {
     WriteStored<std::uint8_t>(Path("a.png"), 4, 4, {"Y"}, std::vector<std::uint8_t>(16));
     std::string png = Get("a.png");
     png.replace(16, 8, BigEndian(40000) + BigEndian(40000));
-    png.replace(29, 4, BigEndian(Crc(png.substr(12, 17))));
+    png.replace(29, 4, BigEndian(PngCrc(png.substr(12, 17))));
     EXPECT_EQ(MessageOf<Error>([&] { ReadStoredImage(Put("huge.png", png)); }),
               Path("huge.png").string() +
                   ": has 40000 x 40000 pixels of 1 channel, must be at most 268435456 numbers");
     EXPECT_THROW(ReadStoredImage(Path("a.png"), 15), Error);
     EXPECT_EQ(ReadStoredImage(Path("a.png"), 16).Width(), 4);
+}
+
+// Expected: the numbers as written, and the greatest that so many bits hold, 2^bits - 1.
+TEST_F(Stored, FewBitsAreTheNumbersThatTheFileHolds) {
+    for (const int bits : {1, 2, 4, 8}) {
+        const int greatest = (1 << bits) - 1;
+        const std::vector<int> numbers{0,        greatest, 1, greatest / 2, 0,
+                                       greatest, 1,        1, greatest};
+        const StoredImage image = ReadStoredImage(Put("a.png", GreyPngRow(bits, numbers)));
+        EXPECT_EQ(image.bits, bits);
+        EXPECT_EQ(image.full_scale, greatest);
+        EXPECT_EQ(image.channels[0].stored.Pixels(),
+                  std::vector<double>(numbers.begin(), numbers.end()))
+            << bits;
+    }
+}
+
+TEST_F(Stored, SeveralPartsAreRefused) {
+    const OIIO::ImageSpec spec(2, 2, 1, OIIO::TypeDesc::FLOAT);
+    const OIIO::ImageSpec parts[] = {spec, spec};
+    const auto output = OIIO::ImageOutput::create(Path("two.exr").string());
+    const std::vector<float> pixels(4, 1);
+    ASSERT_TRUE(output->open(Path("two.exr").string(), 2, parts));
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()));
+    ASSERT_TRUE(
+        output->open(Path("two.exr").string(), parts[1], OIIO::ImageOutput::AppendSubimage));
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()));
+    ASSERT_TRUE(output->close());
+    EXPECT_EQ(MessageOf<Error>([&] { ReadStoredImage(Path("two.exr")); }),
+              Path("two.exr").string() + ": holds several images (parts), must hold one");
 }
 
 TEST_F(Stored, ReadsPfmToo) {

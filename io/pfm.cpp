@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 
 #include "core/error.h"
@@ -49,6 +50,9 @@ StoredImage ParsePfm(std::string_view bytes, const std::string& name,
     const auto width = TakeNumber<std::int64_t>(bytes, name, "width");
     const auto height = TakeNumber<std::int64_t>(bytes, name, "height");
     const auto scale = TakeNumber<double>(bytes, name, "scale");
+    if (scale == 0 || !std::isfinite(scale)) {
+        throw Error(MustBe(name + ": scale", scale, "finite and not 0"));
+    }
     CheckImageSize(name, width, height, std::int64_t(channels), max_numbers);
     const std::size_t needed = 4 * channels * std::size_t(width) * std::size_t(height);
     if (bytes.size() < needed) {
@@ -63,7 +67,8 @@ StoredImage ParsePfm(std::string_view bytes, const std::string& name,
         for (int j = 0; j < stored.Height(); ++j) {
             const auto row = std::size_t(stored.Height() - 1 - j) * std::size_t(width);
             for (int i = 0; i < stored.Width(); ++i) {
-                stored(i, j) = FloatAt(bytes, (row + i) * channels + c, scale < 0);
+                stored(i, j) = std::abs(scale) *
+                               double(FloatAt(bytes, (row + i) * channels + c, scale < 0));
             }
         }
         image.channels.push_back(

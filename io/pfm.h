@@ -3,10 +3,10 @@
 //       Pf | PF      one channel | three
 //       width height
 //       scale        its sign says the byte order: negative is little-endian
-//       floats, rows from the bottom up
+//       floats, rows from the bottom up; a number is |scale| times its float
 //
 // Source   P. Debevec's format; http://www.pauldebevec.com/Research/HDR/PFM/
-// Beware   The size of `scale` is a unit that nobody agrees on; it is not applied.
+// Beware   Most writers write a scale of -1 or 1; some readers do not apply any other.
 #pragma once
 
 #include <cstdint>

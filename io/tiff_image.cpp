@@ -103,6 +103,23 @@ void CheckLayout(const Layout& layout, TIFF* file, const std::string& name,
     }
 }
 
+/// Throws Error if another page says more than the first: a picture of its own, or a mask of
+/// what was measured. A smaller copy of the first (an overview) says nothing new.
+void CheckFurtherPages(TIFF* file, const std::string& name) {
+    for (int page = 2; TIFFReadDirectory(file) == 1; ++page) {
+        const auto kind = TagOr(file, TIFFTAG_SUBFILETYPE, 0u);
+        if (kind & FILETYPE_MASK) {
+            throw Error(name + ": page " + std::to_string(page) +
+                        " is a mask of pixels without data, must be left out, and the pixels "
+                        "that it hides filled");
+        }
+        if (!(kind & FILETYPE_REDUCEDIMAGE)) {
+            throw Error(name + ": page " + std::to_string(page) +
+                        " is a further image, must hold one image (and its overviews)");
+        }
+    }
+}
+
 std::string ChannelName(const Layout& layout, std::size_t channel) {
     const bool rgb = layout.photometric == PHOTOMETRIC_RGB && layout.channels >= 3;
     const std::string_view names = rgb ? "RGBA" : layout.channels <= 2 ? "YA" : "";
@@ -178,6 +195,7 @@ StoredImage ReadTiffImage(const std::filesystem::path& path, std::int64_t max_nu
             number = image.full_scale - number;
         }
     }
+    CheckFurtherPages(file.get(), path.string());
     return image;
 }
 

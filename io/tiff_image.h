@@ -4,7 +4,7 @@
 // and gives zeros for some images of 64-bit floats.
 //
 // Domain   Integers of 8, 16, 32 bits and floats of 16, 32, 64; strips or tiles, channels mixed
-//          or apart, every compression of libtiff; grey or RGB. The first image of the file.
+//          or apart, every compression of libtiff; grey or RGB. One image and its overviews.
 #pragma once
 
 #include <cstdint>

@@ -33,6 +33,16 @@ TEST(ParsePfm, ReadsBothByteOrders) {
     EXPECT_EQ(image.channels[0].stored(0, 0), double(0.1f));
 }
 
+// The size of the scale is a factor, whatever its sign.
+TEST(ParsePfm, AppliesTheScale) {
+    for (const bool little_endian : {true, false}) {
+        const std::string scale = little_endian ? "-0.25" : "0.25";
+        const StoredImage image =
+            ParsePfm("Pf 2 1 " + scale + "\n" + Floats({8, -3}, little_endian), "", 99);
+        EXPECT_EQ(image.channels[0].stored.Pixels(), (std::vector<double>{2, -0.75}));
+    }
+}
+
 TEST(ParsePfm, ReadsThreeChannels) {
     const StoredImage image =
         ParsePfm("PF\n2 1\n-1\n" + Floats({1, 2, 3, 4, 5, 6}), "a.pfm", 99);
@@ -48,6 +58,8 @@ TEST(ParsePfm, NamesWhatIsWrong) {
     EXPECT_EQ(message("Pf\n2 2\n-1\n" + Floats({1, 2, 3})),
               "a.pfm: is truncated, has 12 bytes of pixels, must have 16");
     EXPECT_EQ(message("Pf\n2 x\n-1\n"), "a.pfm: height = x, must be a number");
+    EXPECT_EQ(message("Pf\n2 2\n0\n"), "a.pfm: scale = 0, must be finite and not 0");
+    EXPECT_EQ(message("Pf\n2 2\ninf\n"), "a.pfm: scale = inf, must be finite and not 0");
     EXPECT_EQ(message("Pf\n2 2"), "a.pfm: has a PFM header that breaks off");
     EXPECT_EQ(message("Pf\n0 2\n-1\n"),
               "a.pfm: has 0 x 2 pixels of 1 channel, must have at least one of each");

@@ -145,6 +145,32 @@ TEST_F(Tiff, ADamagedStripIsAnError) {
                 HasSubstr("a.tif: is truncated or damaged at row "));
 }
 
+// An overview is the same picture, smaller; anything else would be left out without a word.
+TEST_F(Tiff, FurtherPagesAreRefusedUnlessTheyAreOverviews) {
+    const auto with_page = [&](std::uint32_t kind) {
+        TIFF* file = TIFFOpen(Write(1, {}).c_str(), "a");
+        const std::uint16_t row[2] = {7, 8};
+        TIFFSetField(file, TIFFTAG_SUBFILETYPE, kind);
+        TIFFSetField(file, TIFFTAG_IMAGEWIDTH, 2);
+        TIFFSetField(file, TIFFTAG_IMAGELENGTH, 1);
+        TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, 1);
+        TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, 16);
+        TIFFSetField(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+        TIFFWriteEncodedStrip(file, 0, const_cast<std::uint16_t*>(row), sizeof row);
+        TIFFClose(file);
+        return Path("a.tif");
+    };
+    const StoredImage image = ReadTiffImage(with_page(FILETYPE_REDUCEDIMAGE), 1 << 20);
+    EXPECT_EQ(image.Width(), kWidth);
+    EXPECT_EQ(image.channels[0].stored(3, 2), Number(3, 2, 0));
+    EXPECT_THAT(MessageOf<Error>([&] { ReadTiffImage(with_page(0), 1 << 20); }),
+                HasSubstr("a.tif: page 2 is a further image, must hold one image"));
+    EXPECT_THAT(MessageOf<Error>([&] {
+                    ReadTiffImage(with_page(FILETYPE_MASK | FILETYPE_REDUCEDIMAGE), 1 << 20);
+                }),
+                HasSubstr("a.tif: page 2 is a mask of pixels without data"));
+}
+
 TEST_F(Tiff, NamesWhatItCannotRead) {
     const auto message = [&](const TiffLayout& layout) {
         const std::string text =

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -68,6 +69,15 @@ std::string& TheCommandLine() {
     return text;
 }
 
+/// CLI11 reads an unsigned number as strtoull does: -1 becomes 2^64 - 1, 2^64 the same.
+std::string CheckSeed(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    return error == std::errc() && end == text.data() + text.size()
+               ? std::string()
+               : "--seed = " + text + ", must be a whole number in [0, 2^64 - 1]";
+}
+
 }  // namespace
 
 void AddCommon(CLI::App& command, Common& common) {
@@ -78,7 +88,10 @@ void AddCommon(CLI::App& command, Common& common) {
                     "Threads, 0 = all cores; no result depends on it")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
-    command.add_option("--seed", common.seed, "Seed of all random numbers")
+    command
+        .add_option("--seed", common.seed,
+                    "Seed of all random numbers, a whole number in [0, 2^64 - 1]")
+        ->check(CLI::Validator(CheckSeed, ""))
         ->capture_default_str();
     command.add_flag("-q,--quiet", common.quiet, "No progress, no table");
     command.add_flag("--json", common.json, "The report as JSON on standard output, no table");

@@ -48,7 +48,8 @@ void AddSimulate(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "simulate",
         "Simulate the light on one height map under a white sky: form factors and bounces.\n"
-        "Writes light.exr (alpha, V, E_k, E(rho)), histograms, report.html and report.json.");
+        "Writes light.exr (alpha, V, E_k, E(rho)), histograms, report.html and report.json\n"
+        "(docs/light.md).");
     command
         ->add_option("map", o->map,
                      "Height map: an image (docs/height_maps.md) or make:KIND[:SIZE[:SEED]]")
@@ -68,6 +69,7 @@ void AddSimulate(CLI::App& program) {
     command->add_flag("--amplitude-sweep", o->sweep,
                       "Also the effect of the amplitude, 0.1 % to 1000 % of the width");
     command->add_flag("--no-maps", o->no_maps, "Do not write light.exr");
+    o->common.out = "out/simulate";  // Other commands have folders of their own.
     AddCommon(*command, o->common);
     command->callback([o, command] { Run(*command, *o); });
 }

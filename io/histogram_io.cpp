@@ -1,12 +1,11 @@
 #include "io/histogram_io.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/total_name.h"
 #include "io/json_file.h"
 
 namespace plumb {
@@ -91,12 +90,6 @@ void CheckBins(const BounceHistogram& histogram, const std::string& file) {
     if (histogram.Bounces() < 0) throw Error(file + ": bins[0].bounce has no E0");
 }
 
-std::string Digits(double number) {
-    std::array<char, 32> digits;
-    return {digits.data(),
-            std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
-}
-
 void AppendNames(std::vector<std::string>& names, const std::string& name) {
     for (const char* suffix : {"", "_var", "_p05", "_p50", "_p95"}) {
         names.push_back(name + suffix);
@@ -153,8 +146,7 @@ NumberTable ToTable(const BounceHistogram& histogram) {
     for (int k = 0; k <= histogram.Bounces(); ++k) {
         AppendNames(table.names, std::string("E").append(std::to_string(k)));
     }
-    for (double rho : histogram.albedos)
-        AppendNames(table.names, std::string("E_rho").append(Digits(rho)));
+    for (double rho : histogram.albedos) AppendNames(table.names, TotalName(Albedo(rho)));
     for (std::size_t b = 0; b < histogram.bins.size(); ++b) {
         const BounceBin& bin = histogram.bins[b];
         std::vector<double>& row = table.rows.emplace_back();
@@ -171,12 +163,13 @@ void WriteHistogramJson(const std::filesystem::path& path, const BounceHistogram
 
 void WriteHistogramCsv(const std::filesystem::path& path, const BounceHistogram& histogram) {
     const char* axis = histogram.binned_by == BinnedBy::kUniformVisibility ? "alpha" : "V";
-    WriteCsv(
-        path, ToTable(histogram),
-        {"Light on " + histogram.surface + ", facets binned by " + axis +
-             "; unit white sky, every E divided by that of open ground.",
-         "E<k>: light after k bounces at albedo 1; E_rho<r>: all bounces at albedo r; _var "
-         "variance of a facet, _p05 _p50 _p95 percentiles."});
+    WriteCsv(path, ToTable(histogram),
+             {"Light on " + histogram.surface + ", facets binned by " + axis +
+                  "; unit white sky, every E divided by that of open ground.",
+              "E<k>: light after k bounces at albedo 1; E_rho<r>: all bounces at albedo r (p "
+              "for the "
+              "point); _var "
+              "variance of a facet, _p05 _p50 _p95 percentiles."});
 }
 
 BounceHistogram ReadHistogramJson(const std::filesystem::path& path) {

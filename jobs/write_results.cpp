@@ -4,6 +4,8 @@
 #include <sstream>
 #include <utility>
 
+#include "core/total_name.h"
+#include "heightfield/facet.h"
 #include "io/data_uri.h"
 #include "io/histogram_io.h"
 #include "io/image_io.h"
@@ -22,10 +24,13 @@ void WriteText(const std::filesystem::path& path, Write&& write) {
     WriteWholeFile(path, text.str());
 }
 
-std::string TotalName(double rho) {
-    std::ostringstream name;
-    name << "E_rho" << rho;
-    return name.str();
+/// Mean height of every facet: what stands in the middle of its three corners.
+std::vector<double> FacetHeightsM(const HeightField& field) {
+    std::vector<double> heights_m(std::size_t(field.Facets()));
+    for (std::int64_t i = 0; i < field.Facets(); ++i) {
+        heights_m[std::size_t(i)] = FacetOf(field, i).CentroidM().z();
+    }
+    return heights_m;
 }
 
 }  // namespace
@@ -92,11 +97,7 @@ void WriteLightMaps(const std::filesystem::path& folder, const Surface& surface,
                     const SurfaceLight& light, const std::vector<std::vector<float>>& bounces) {
     const HeightField& field = surface.field;
     std::vector<NamedChannel> channels;
-    Image<float> heights(field.CellsX(), field.CellsY());
-    for (int j = 0; j < field.CellsY(); ++j) {
-        for (int i = 0; i < field.CellsX(); ++i) heights(i, j) = float(field.At(i, j));
-    }
-    channels.push_back({"height_m", std::move(heights)});
+    channels.push_back({"height_m", CellImage(field, FacetHeightsM(field))});
     channels.push_back({"alpha", CellImage(field, light.alpha)});
     channels.push_back({"V", CellImage(field, light.V)});
     const auto add = [&](const std::string& name, const std::vector<float>& values) {
@@ -105,10 +106,12 @@ void WriteLightMaps(const std::filesystem::path& folder, const Surface& surface,
     };
     for (std::size_t k = 0; k < bounces.size(); ++k) add("E_" + std::to_string(k), bounces[k]);
     for (std::size_t r = 0; r < light.total.size(); ++r) {
-        add(TotalName(light.albedos[r]), light.total[r]);
+        add(TotalName(Albedo(light.albedos[r])), light.total[r]);
     }
     WriteExr(folder / "light.exr", channels,
-             {{"map", surface.source.name}, {"sha256", surface.source.sha256}});
+             {{"map", surface.source.name},
+              {"sha256", surface.source.sha256},
+              {"pixel", "mean of the two facets of a cell, centre at ((i + 1) s, (j + 1) s)"}});
 }
 
 void WriteBenchResults(const std::filesystem::path& folder, const LightBench& bench) {

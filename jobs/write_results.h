@@ -41,8 +41,9 @@ void WriteBenchResults(const std::filesystem::path& folder, const RasterBench& b
 void WriteBenchResults(const std::filesystem::path& folder, const TruthBench& bench);
 void WriteBenchResults(const std::filesystem::path& folder, const AoBench& bench);
 
-/// Maps of the light, one pixel a cell (the mean of its two facets): light.exr with the
-/// channels height_m, alpha, V, E_0 ... E_K and E(rho) of each albedo.
+/// Maps of the light, one pixel a cell: light.exr with the channels height_m, alpha, V, E_0 ...
+/// E_K and E(rho) of each albedo (core/total_name.h), all of them the mean of the cell's two
+/// facets, so that they stand at the same place. See docs/light.md.
 void WriteLightMaps(const std::filesystem::path& folder, const Surface& surface,
                     const SurfaceLight& light, const std::vector<std::vector<float>>& bounces);
 

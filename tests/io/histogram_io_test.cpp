@@ -96,16 +96,16 @@ TEST_F(HistogramIo, CsvHasARowPerBin) {
                                          "E2_p05",
                                          "E2_p50",
                                          "E2_p95",
-                                         "E_rho0.5",
-                                         "E_rho0.5_var",
-                                         "E_rho0.5_p05",
-                                         "E_rho0.5_p50",
-                                         "E_rho0.5_p95",
-                                         "E_rho0.3333333333333333",
-                                         "E_rho0.3333333333333333_var",
-                                         "E_rho0.3333333333333333_p05",
-                                         "E_rho0.3333333333333333_p50",
-                                         "E_rho0.3333333333333333_p95"};
+                                         "E_rho0p5",
+                                         "E_rho0p5_var",
+                                         "E_rho0p5_p05",
+                                         "E_rho0p5_p50",
+                                         "E_rho0p5_p95",
+                                         "E_rho0p3333333333333333",
+                                         "E_rho0p3333333333333333_var",
+                                         "E_rho0p3333333333333333_p05",
+                                         "E_rho0p3333333333333333_p50",
+                                         "E_rho0p3333333333333333_p95"};
     EXPECT_EQ(table.names, names);
     const BounceBin last = Made().bins[2];
     EXPECT_EQ(Column(table, "bin"), (std::vector<double>{0, 1, 2}));
@@ -115,7 +115,7 @@ TEST_F(HistogramIo, CsvHasARowPerBin) {
     EXPECT_EQ(Column(table, "E1_p05")[2], last.bounce[1].p05);
     EXPECT_EQ(Column(table, "E1_p50")[2], last.bounce[1].p50);
     EXPECT_EQ(Column(table, "E1_p95")[2], last.bounce[1].p95);
-    EXPECT_EQ(Column(table, "E_rho0.5_var")[2], last.total[0].variance);
+    EXPECT_EQ(Column(table, "E_rho0p5_var")[2], last.total[0].variance);
     EXPECT_EQ(Get("a.csv").substr(0, 44), "# Light on Bricks, \"old\", facets binned by V");
 }
 

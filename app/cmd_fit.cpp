@@ -8,8 +8,10 @@
 
 #include "app/command.h"
 #include "app/simulate_options.h"
+#include "core/conventions.h"
 #include "jobs/light/fit_constants.h"
 #include "jobs/light/fit_measured.h"
+#include "jobs/light/fit_surfaces.h"
 #include "jobs/write_results.h"
 
 namespace plumb::app {
@@ -17,7 +19,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> maps;
-    std::string histogram, abscissa = "right";
+    std::string histogram, abscissa = "right", open_ground;
     SimulateOptions simulate;
     FitSettings fit;
     std::string weighting = "population";
@@ -26,9 +28,11 @@ struct Options {
 
 void FitMeasured(const Options& o) {
     const auto monitor = MakeMonitor(o.common);
-    const MeasuredOptions options{.abscissa = o.abscissa == "left"     ? BinAbscissa::kLeft
-                                              : o.abscissa == "centre" ? BinAbscissa::kCentre
-                                                                       : BinAbscissa::kRight};
+    MeasuredOptions options{.abscissa = o.abscissa == "left"     ? BinAbscissa::kLeft
+                                        : o.abscissa == "centre" ? BinAbscissa::kCentre
+                                                                 : BinAbscissa::kRight};
+    if (!o.open_ground.empty())
+        options.open_ground = o.open_ground == "pi" ? kOpenIrradiance : 1;
     const FitReport report =
         FitMeasuredCurves(o.histogram, options, PLUMB_VERSION, CommandLine());
     WriteCurveResults(o.common.out, report);
@@ -47,11 +51,8 @@ void Run(const CLI::App& command, const Options& o) {
     settings.weighting = o.weighting == "population" ? Weighting::kPopulation
                          : o.weighting == "variance" ? Weighting::kPopulationOverVariance
                                                      : Weighting::kUnweighted;
-    const SurfaceOptions surface_options = SurfaceOptionsOf(command, o.simulate);
-    std::vector<Surface> surfaces;
-    for (const std::string& map : o.maps) {
-        surfaces.push_back(LoadSurface(map, surface_options));
-    }
+    const std::vector<Surface> surfaces =
+        LoadSurfaces(o.maps, SurfaceOptionsOf(command, o.simulate));
     FitConstantsResult result =
         FitConstants(surfaces, settings, PLUMB_VERSION, CommandLine(), NowS, *monitor);
     for (std::size_t m = 0; m < surfaces.size(); ++m) {
@@ -81,9 +82,16 @@ void AddFit(CLI::App& program) {
     command
         ->add_option(
             "--histogram", o->histogram,
-            "Fit curves measured elsewhere instead: a CSV with a column bin and columns "
-            "E0, E1, ... as irradiance with open ground = pi")
+            "Fit curves measured elsewhere instead: a CSV with columns E0, E1, ... and either "
+            "bin (the paper's: open ground = pi) or alpha; or a histogram of plumb simulate")
         ->check(CLI::ExistingFile);
+    command
+        ->add_option(
+            "--open-ground", o->open_ground,
+            "With --histogram: what open ground receives in the unit of its E, pi or 1 "
+            "[default: pi with a column bin, 1 for a histogram of plumb's own; any other "
+            "table must say it]")
+        ->check(CLI::IsMember({"pi", "1"}));
     command
         ->add_option("--abscissa", o->abscissa,
                      "With --histogram: the point of a bin that stands for it, left, centre or "
@@ -110,8 +118,12 @@ void AddFit(CLI::App& program) {
                       "(docs/models.md)");
     command->add_flag("!--no-studies", o->fit.study_convergence,
                       "Leave out the studies of convergence and amplitude");
+    o->common.out = "out/fit";  // Other commands have folders of their own.
     AddCommon(*command, o->common);
     command->callback([o, command] {
+        // Both kinds of fit write a constants.csv.
+        if (!o->histogram.empty() && command->count("--out") == 0)
+            o->common.out = "out/fit-histogram";
         if (o->maps.empty() == o->histogram.empty()) {
             throw CLI::ValidationError("plumb fit",
                                        "give height maps, or --histogram FILE, and not both");

@@ -103,7 +103,11 @@ void WriteConstantsCsv(std::ostream& out, const FitReport& report) {
 void WriteTable(std::ostream& out, const FitReport& report) {
     Validate(report);
     const std::size_t sources = report.provenance.maps.size();
-    out << "Constants, fitted to " << sources << (sources == 1 ? " map" : " maps") << "\n\n"
+    out << "Constants, fitted to " << sources << (sources == 1 ? " map" : " maps") << "\n";
+    // Curves measured elsewhere: their unit was taken from the table or the command line.
+    if (report.maps.empty() && sources == 1)
+        out << report.provenance.maps[0].preparation << '\n';
+    out << '\n'
         << Left("fit", 36) << Left("constant", 10) << Right("value", 22)
         << Right("interval (maps)", 20) << Right("published", 12) << '\n';
     for (const FitLine& line : AllFits(report)) {

@@ -3,6 +3,7 @@
 # left half-written. Usage: command_line_test.sh PLUMB
 set -u
 plumb=$1
+docs=$(cd "$(dirname "$0")/../../docs" && pwd)
 . "$(dirname "$0")/expect.sh"
 
 printf 'not a picture' >fake.png
@@ -31,6 +32,15 @@ refused 'in [4, 65536]' "$plumb" simulate make:bricks:16 --slices 0
 refused 'in [0, 1000]' "$plumb" simulate make:bricks:16 --bounces 1001
 refused '--histogram' "$plumb" fit
 
+# Seeds that a reader of unsigned numbers would take for others.
+for command in 'simulate make:bricks:16' 'fit make:bricks:16' 'truth cornell_box' \
+  'render cornell_box --technique gtao' 'report cornell_box' 'bench ao' 'bench light'; do
+  for seed in -1 18446744073709551616 1.5 0x10 '' 1e3; do
+    # shellcheck disable=SC2086
+    refused '--seed' "$plumb" $command --seed "$seed"
+  done
+done
+
 # A full disk and a folder that cannot be made are the machine's fault.
 touch file
 expect 3 'file' "$plumb" simulate make:bricks:16 --slices 4 --out file/out --quiet
@@ -39,11 +49,41 @@ expect 3 'file' "$plumb" simulate make:bricks:16 --slices 4 --out file/out --qui
 expect 0 '' "$plumb" simulate make:bricks:16 --slices 4 --albedo 0.8 0.5 0.3 --out out --quiet
 left out light.exr light_albedo.exr light_albedo.png report.html report.json \
   histogram_alpha.csv histogram_alpha.json histogram_v.csv histogram_v.json
+for file in out/*; do
+  grep -qF -- "$(basename "$file" | sed 's/^bricks_/NAME_/')" "$docs/light.md" ||
+    { echo "FAILED: $file is not in docs/light.md"; failed=1; }
+done
 expect 0 '' "$plumb" fit make:bricks:24 make:cobbles:24 --slices 4 --no-studies --bootstrap 4 \
   --out fitted --quiet
 left fitted report.html report.json scores.csv constants.csv plumb_light.glsl plumb_light.hlsl \
   plumb_light.h
 ! grep -q "$dir" fitted/report.json || { echo "FAILED: a path of the machine in a report"; failed=1; }
+
+# Maps of one name, and jobs without --out, do not overwrite each other's files.
+mkdir m1 m2
+for folder in m1 m2; do
+  printf 'Pf\n8 8\n-1.0\n' >$folder/wall.pfm
+  # Heights of 0, 1/8 and 1/4 m, one digit a texel.
+  for k in 01220100 12221010 02210000 00100122 10001222 00000122 11000010 00012000; do
+    printf "$(printf %s $k | sed 's/0/\\0\\0\\0\\0/g; s/1/\\0\\0\\0\\76/g; s/2/\\0\\0\\200\\76/g')"
+  done >>$folder/wall.pfm
+done
+expect 0 '' "$plumb" fit m1/wall.pfm m2/wall.pfm --slices 4 --no-studies --bootstrap 0 --quiet
+left out/fit report.html maps/m1_wall_v.png maps/m2_wall_v.png
+grep -q '^plain V,m1/wall,' out/fit/scores.csv && grep -q '^plain V,m2/wall,' out/fit/scores.csv ||
+  { echo "FAILED: the maps have no names of their own"; failed=1; }
+before=$(cat out/fit/constants.csv)
+expect 0 '' "$plumb" simulate m1/wall.pfm --slices 4 --quiet
+left out/simulate report.html histogram_alpha.csv
+expect 0 '' "$plumb" fit --histogram out/simulate/histogram_alpha.csv --quiet
+left out/fit-histogram curves.json constants.csv
+[ "$before" = "$(cat out/fit/constants.csv)" ] || { echo "FAILED: another job's constants"; failed=1; }
+
+# A column alpha does not say what open ground receives.
+printf 'alpha,E0,E1\n0.2,0.66,0.5\n0.5,1.7,0.6\n0.8,2.7,0.3\n0.9,2.9,0.2\n0.95,3.0,0.1\n' >pi.csv
+refused '--open-ground' "$plumb" fit --histogram pi.csv
+refused 'taken to be 1' "$plumb" fit --histogram pi.csv --open-ground 1
+expect 0 '' "$plumb" fit --histogram pi.csv --open-ground pi --quiet
 
 # The rasterizer's sizes are the program's own, so this takes a few seconds.
 refused 'must be one of' "$plumb" bench raster make:nothing

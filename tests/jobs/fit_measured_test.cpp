@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <sstream>
 
 #include "core/error.h"
 #include "fit/direct_factor.h"
@@ -65,6 +66,69 @@ TEST(FitMeasuredCurves, FindsTheKnownConstantsOnTheAuthorsTable) {
     EXPECT_NEAR(report.curves[1].fit.rmse, 0.005113, 5e-7);
     EXPECT_NEAR(report.curves[1].published_score->rms, 0.005785, 5e-7);
     EXPECT_EQ(report.bounce_family.size(), 20u);
+}
+
+// E0 = V of a sky about the normal, alpha (2 - alpha), and some E1, at 20 alphas.
+std::string TableOf(double open_ground, const char* columns, bool alpha, bool ours) {
+    std::ostringstream text;
+    text.precision(17);
+    text << columns << "\n";
+    for (int k = 0; k < 20; ++k) {
+        const double x = (k + 1) / 20.0;
+        text << (alpha ? x : k) << "," << open_ground * x * (2 - x) << ","
+             << open_ground * x * (1 - x) * (1 - x);
+        if (ours) text << ",0";
+        text << "\n";
+    }
+    return text.str();
+}
+
+std::vector<double> ConstantsOf(const std::filesystem::path& table,
+                                const MeasuredOptions& options = {}) {
+    std::vector<double> constants;
+    for (const CurveFit& curve :
+         FitMeasuredCurves(table, options, "test", "plumb fit").curves) {
+        const std::vector<double> values = curve.fit.Values();
+        constants.insert(constants.end(), values.begin(), values.end());
+    }
+    return constants;
+}
+
+// Expected: one table in two units, under every way to say which, gives one set of constants. A
+// column alpha alone says nothing: it once switched the unit, and A came out pi times too large.
+TEST(FitMeasuredCurves, TheUnitIsSaidAndNotGuessed) {
+    const double pi = std::numbers::pi;
+    const auto in_pi = Written("pi.csv", TableOf(pi, "alpha,E0,E1", true, false));
+    const auto in_one = Written("one.csv", TableOf(1, "alpha,E0,E1", true, false));
+    const std::vector<double> constants = ConstantsOf(in_pi, {.open_ground = pi});
+    const auto expect_same = [&](const std::vector<double>& others) {
+        ASSERT_EQ(others.size(), constants.size());
+        for (std::size_t j = 0; j < others.size(); ++j)
+            EXPECT_NEAR(others[j], constants[j], 1e-6 * std::abs(constants[j]));
+    };
+    expect_same(ConstantsOf(in_one, {.open_ground = 1}));
+    expect_same(
+        ConstantsOf(Written("bins.csv", TableOf(pi, "bin,E0,E1", false, false))));  // Paper's.
+    expect_same(ConstantsOf(Written("ours.csv", TableOf(1, "alpha,E0,E1,E0_var", true, true))));
+
+    for (const auto& table : {in_pi, in_one}) {
+        EXPECT_THAT(MessageOf(table),
+                    testing::HasSubstr("--open-ground pi or --open-ground 1"));
+    }
+    // What is said must be possible.
+    const auto message = [](const std::filesystem::path& table, double open_ground) {
+        try {
+            FitMeasuredCurves(table, {.open_ground = open_ground}, "test", "plumb fit");
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("no error");
+    };
+    EXPECT_THAT(message(in_pi, 1), testing::HasSubstr("pi.csv: E0 over that of open ground, "
+                                                      "taken to be 1, at alpha = 0.05"));
+    EXPECT_THAT(message(in_one, pi), testing::HasSubstr("must be in [alpha^2, "));
+    EXPECT_THAT(MessageOf(Written("bad.csv", TableOf(1, "bin,E0,E1", false, false))),
+                testing::HasSubstr("--open-ground must say so"));
 }
 
 TEST(FitMeasuredCurves, RefusesTablesWithNothingInThem) {

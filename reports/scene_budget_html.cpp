@@ -36,12 +36,13 @@ std::string GuardsHtml(const SceneReport& r) {
                         WithErrorOf(row.border.error.bias), WithErrorOf(row.border.error.rmse),
                         Ms(row.draw_s), Ms(row.sao_s)});
     }
-    return "<h3>The guard band</h3><p>Border drawn but not shown, as a share of the height; "
+    return "<h3>The guard band</h3><p>Border drawn but not shown, as a share of the height, in "
+           "whole texels of the pyramid, the pattern of taps held to the frame; "
            "figures of the pixels within 32 px of the frame, as shipped. Times of a single "
            "run.</p>" +
            Table({{"border"},
                   {"[px]"},
-                  {"RMS to 25 %"},
+                  {"RMS to the widest"},
                   {"bias"},
                   {"RMSE"},
                   {"G-buffer [ms]"},

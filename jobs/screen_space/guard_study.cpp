@@ -8,32 +8,45 @@
 
 namespace plumb {
 
+std::vector<int> GuardWidths(int height_px, const SaoOptions& options) {
+    constexpr int kMoreWidths = 5;
+    constexpr double kShareEach = 0.05;
+    // A quad is 2 px; a texel of level m is 2^m.
+    const int texel_px = std::max(2, 1 << options.sampling.taps.coarsest_level);
+    const int step_px =
+        texel_px * std::max(1, int(std::lround(kShareEach * height_px / texel_px)));
+    std::vector<int> widths_px;
+    for (int k = 0; k <= kMoreWidths; ++k) widths_px.push_back(k * step_px);
+    return widths_px;
+}
+
 std::vector<GuardRow> StudyGuardBand(const Scene& scene, const Camera& camera,
                                      const ViewTruth& truth, const SaoOptions& options,
                                      const PassClock& clock) {
-    constexpr double kShares[] = {0.25, 0.2, 0.15, 0.1, 0.05, 0};
     const Mask border = RegionsOf(truth).border;
     const TruthImage& weighted = truth.near.at(FalloffOf(options.sampling.sao.falloff));
+    const std::vector<int> widths_px = GuardWidths(camera.height_px, options);
     std::vector<GuardRow> rows;
-    Image<float> widest;
-    for (const double share : kShares) {
+    std::vector<Image<float>> pictures;
+    for (const int guard_px : widths_px) {
+        SaoOptions aligned = options;
+        aligned.sampling.taps.hash_shift_px = widths_px.back() - guard_px;
         GuardRow row;
-        row.share = share;
-        row.guard_px = int(std::lround(share * camera.height_px));
+        row.share = double(guard_px) / camera.height_px;
+        row.guard_px = guard_px;
         const double begin_s = clock();
-        const GBuffer gbuffer = DrawGBuffer(scene, camera, {.guard_px = row.guard_px});
+        const GBuffer gbuffer = DrawGBuffer(scene, camera, {.guard_px = guard_px});
         const double drawn_s = clock();
-        const Image<float> A = Shown(SaoObscurance(gbuffer, options), gbuffer.view);
+        pictures.push_back(Shown(SaoObscurance(gbuffer, aligned), gbuffer.view));
         row.sao_s = clock() - drawn_s;
         row.draw_s = drawn_s - begin_s;
-        if (widest.Empty()) widest = A;
-        if (CountOf(border) > 0) {
-            row.rms_to_widest = ScoreErrors(A, widest, {}, border).rmse;
-            row.border = ScoreOver(A, weighted, kTruthWeighted, "border", border);
-        }
         rows.push_back(std::move(row));
     }
-    std::reverse(rows.begin(), rows.end());
+    if (CountOf(border) == 0) return rows;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        rows[k].rms_to_widest = ScoreErrors(pictures[k], pictures.back(), {}, border).rmse;
+        rows[k].border = ScoreOver(pictures[k], weighted, kTruthWeighted, "border", border);
+    }
     return rows;
 }
 

@@ -31,7 +31,8 @@ class Layers {
         const Vec3 C = view.Point(x + 0.5, y + 0.5, z);
         const Vec3 n = gbuffer.face_normal(x, y).cast<double>();
         const double disc_px = DiscRadiusPx(view, sao.radius_m, z);
-        const std::int64_t hash = RotationHash(x, y, taps.hash);
+        const std::int64_t hash =
+            RotationHash(x + taps.hash_shift_px, y + taps.hash_shift_px, taps.hash);
         const std::size_t s = std::size_t(taps.samples);
         rays_.assign(s, {});
         hits_.assign(s, {});

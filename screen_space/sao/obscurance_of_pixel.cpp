@@ -68,7 +68,8 @@ void Validate(const ObscuranceOptions& options) {
 
 double ObscuranceOfPixel(const GBuffer& gbuffer, const ZPyramid& pyramid,
                          const ObscuranceOptions& options, int x, int y) {
-    const std::int64_t hash = RotationHash(x, y, options.taps.hash);
+    const int shift_px = options.taps.hash_shift_px;
+    const std::int64_t hash = RotationHash(x + shift_px, y + shift_px, options.taps.hash);
     return Obscurance(gbuffer, pyramid, options, x, y, [&](double spiral_rad) {
         return TurnedAngle(spiral_rad, hash, options.taps.phi);
     });

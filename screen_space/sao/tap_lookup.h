@@ -49,6 +49,9 @@ struct TapOptions {
     TapPattern pattern = TapPattern::kSpiral;
     double full_turn_rad = 2 * kPi;  ///< Of the spiral. [6, 7]; shipped: 6.28
     HashReading hash = HashReading::kCode;
+    /// Added to x and y in the hash, so that pictures with other borders have one pattern where they
+    /// are shown. [-16383, 16383], and x and y of what is computed in [0, 16384) with it.
+    int hash_shift_px = 0;
     PhiArithmetic phi = PhiArithmetic::kExact;
     TapRounding rounding = TapRounding::kOffset;
     TapPlace place = TapPlace::kTexel;

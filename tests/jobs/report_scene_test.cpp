@@ -153,6 +153,41 @@ TEST(Studies, OfBorderAndPyramidStartFromThemselves) {
     EXPECT_LT(pyramids[6].bias_to_none.value, pyramids[5].bias_to_none.value);
 }
 
+// Expected: five widths more than none, each by whole texels of the pyramid's coarsest level (32 px)
+// or, without one, whole quads, near a twentieth of the height.
+TEST(StudyGuardBand, WidensByWholeTexels) {
+    SaoOptions sao = SaoWith("supplement2012", {.radius_m = 1});
+    EXPECT_EQ(GuardWidths(540, sao), (std::vector<int>{0, 32, 64, 96, 128, 160}));
+    EXPECT_EQ(GuardWidths(1600, sao), (std::vector<int>{0, 96, 192, 288, 384, 480}));
+    EXPECT_EQ(GuardWidths(54, sao), (std::vector<int>{0, 32, 64, 96, 128, 160}));
+    sao.sampling.taps.coarsest_level = 0;
+    EXPECT_EQ(GuardWidths(540, sao), (std::vector<int>{0, 28, 56, 84, 112, 140}));
+    EXPECT_EQ(GuardWidths(20, sao), (std::vector<int>{0, 2, 4, 6, 8, 10}));
+}
+
+// Expected: a floor with its wall that lies whole within the frame, with sky around it, so
+// that no tap meets anything beyond the frame: the border changes nothing. A is kept in 255 steps on
+// the way, and rounding moves a tap of a hundred: less than 0.004 / sqrt(10).
+TEST(StudyGuardBand, ChangesNothingWhereNothingIsBeyondTheFrame) {
+    Scene scene = FloorAndWall(192, 108);
+    scene.cameras.front().position_m = {0.5, -8.5, 5};
+    scene.cameras.front().target_m = {0, 0, 0};
+    const Camera& camera = scene.cameras.front();
+    const EmbreeCaster caster(scene);
+    const std::vector<Falloff> falloffs{Falloff::kHard, Falloff::kSao};
+    const ViewTruth truth = MeasureViewTruth(caster, scene, camera, falloffs,
+                                             {.radius_m = 1, .spp = 16, .far = false});
+    const SaoOptions sao = SaoWith("supplement2012", {.radius_m = 1});
+    const std::vector<GuardRow> rows = StudyGuardBand(scene, camera, truth, sao, Ticking());
+    ASSERT_EQ(rows.size(), 6u);
+    EXPECT_GT(rows[0].border.error.max, 0.02);  // There is something to change.
+    for (const GuardRow& row : rows) {
+        EXPECT_GT(row.border.error.pixels, 300);
+        EXPECT_LT(row.rms_to_widest.value, 0.0013) << row.guard_px;
+        EXPECT_EQ(row.share, row.guard_px / 108.0);
+    }
+}
+
 TEST(SweepTechniques, MarksWhatNothingBeats) {
     const Scene scene = FloorAndWall(64, 36);
     const Camera& camera = scene.cameras.front();

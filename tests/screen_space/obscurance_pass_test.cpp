@@ -24,7 +24,8 @@ bool IsNearARounding(const GBuffer& g, const ObscuranceOptions& options, int x, 
     const double slack = 2e-6, z = g.z_m(x, y);
     if (!std::isfinite(z)) return false;
     const double disc = DiscRadiusPx(g.view, options.sao.radius_m, z);
-    const std::int64_t hash = RotationHash(x, y, options.taps.hash);
+    const int shift = options.taps.hash_shift_px;
+    const std::int64_t hash = RotationHash(x + shift, y + shift, options.taps.hash);
     for (int i = 0; i < options.taps.samples; ++i) {
         const UnitTap tap = TapOf(options.taps, i);
         const double h = std::max(tap.alpha * disc, options.taps.min_tap_px);
@@ -128,6 +129,46 @@ TEST(SampleObscurance, IsTheReferenceForEveryOption) {
         of.normals = NormalSource::kFace;
         ExpectLikeTheReference(g, of, "filter " + std::to_string(int(filter)));
     }
+}
+
+TEST(SampleObscurance, IsTheReferenceWithAShiftedHash) {
+    const GBuffer g = MadeGBuffer(MadeView(101, 77, 0.5, 3), Room());
+    ObscuranceOptions options = SaoSupplement2012().sampling;
+    options.sao.radius_m = 2;
+    options.taps.hash_shift_px = 37;
+    ExpectLikeTheReference(g, options, "shift 37");
+}
+
+// Expected: a picture with a border that is 32 px wider, a texel of its pyramid's coarsest level,
+// shows the same pixels if its hash is shifted back; those within 60 px of the frame have discs
+// that reach it.
+TEST(SampleObscurance, HasOnePatternWhateverTheBorder) {
+    ObscuranceOptions options = SaoSupplement2012().sampling;
+    options.sao.radius_m = 0.5;
+    const auto shown = [&](int guard_px, int shift_px) {
+        const GBuffer g = MadeGBuffer(MadeView(201, 177, 0.5, guard_px), Room());
+        const ZPyramid pyramid(g.z_m, options.taps.filter, options.taps.coarsest_level);
+        options.taps.hash_shift_px = shift_px;
+        return SampleObscurance(g, pyramid, options,
+                                {guard_px, guard_px, guard_px + 201, guard_px + 177});
+    };
+    const Image<float> narrow = shown(32, 0), wide = shown(64, -32), unshifted = shown(64, 0);
+    double most = 0, rms = 0, dark = 0;
+    int pixels = 0, far_off = 0;
+    for (int y = 60; y < 117; ++y) {
+        for (int x = 60; x < 141; ++x) {
+            const double A = narrow(x + 32, y + 32);
+            const double off = std::abs(A - wide(x + 64, y + 64));
+            far_off += off > 2e-4;  // A tap that the rounding of x + h u moved.
+            most = std::max(most, off);
+            rms += std::pow(A - unshifted(x + 64, y + 64), 2);
+            dark += A < 0.9;
+            ++pixels;
+        }
+    }
+    EXPECT_LT(far_off, pixels / 100) << most;
+    EXPECT_GT(std::sqrt(rms / pixels), 0.005);
+    EXPECT_GT(dark, pixels / 20);
 }
 
 // In the last corner of a 1080p frame the hash is beyond 2^24: no float holds it and a tap's angle.

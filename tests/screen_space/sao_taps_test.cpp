@@ -259,6 +259,9 @@ TEST(TapOptions, BadValuesAreNamed) {
     taps.min_tap_px = std::nan("");
     EXPECT_THROW(Validate(taps), Error);
     taps.min_tap_px = 0;
+    taps.hash_shift_px = 16384;
+    EXPECT_THROW(Validate(taps), Error);
+    taps.hash_shift_px = -16383;
     EXPECT_NO_THROW(Validate(taps));
 }
 

@@ -168,7 +168,7 @@ TEST(SampleObscurance, HasOnePatternWhateverTheBorder) {
     }
     EXPECT_LT(far_off, pixels / 100) << most;
     EXPECT_GT(std::sqrt(rms / pixels), 0.005);
-    EXPECT_GT(dark, pixels / 20);
+    EXPECT_GT(dark, 50);  // Else every picture is as good.
 }
 
 // In the last corner of a 1080p frame the hash is beyond 2^24: no float holds it and a tap's angle.

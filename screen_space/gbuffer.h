@@ -23,7 +23,7 @@ struct GBuffer {
         triangle;                 ///< 2 face + half, as truth/ numbers them; kSky for the sky.
     Image<Vec3f> face_normal;     ///< Unit, camera's frame, towards the viewer; 0 for the sky.
     Image<Vec3f> shading_normal;  ///< Interpolated; the face's where the mesh has none.
-    Image<Rgb> albedo;            ///< 0 for the sky.
+    Image<Rgb> albedo;            ///< 0 for the sky. Empty without RasterOptions::albedo.
 
     // Empty unless RasterOptions::texture_coordinates.
     Image<Vec2f> uv;           ///< 0 for the sky, and where the mesh has none.

@@ -56,7 +56,7 @@ class Resolver {
         Resize(out.z_m, width, height, GBuffer::kSkyZ);
         Resize(out.face_normal, width, height, Vec3f(0, 0, 0));
         Resize(out.shading_normal, width, height, Vec3f(0, 0, 0));
-        Resize(out.albedo, width, height, Rgb{});
+        Resize(out.albedo, options.albedo ? width : 0, options.albedo ? height : 0, Rgb{});
         const int uv_width = options.texture_coordinates ? width : 0;
         const int uv_height = options.texture_coordinates ? height : 0;
         Resize(out.uv, uv_width, uv_height, Vec2f(0, 0));
@@ -90,7 +90,7 @@ class Resolver {
     void Sky(int i, int j) {
         out_.z_m(i, j) = GBuffer::kSkyZ;
         out_.face_normal(i, j) = out_.shading_normal(i, j) = Vec3f::Zero();
-        out_.albedo(i, j) = {};
+        if (options_.albedo) out_.albedo(i, j) = {};
         if (options_.texture_coordinates) NoTextureCoordinates(i, j);
     }
 
@@ -112,7 +112,7 @@ class Resolver {
                 Vec3(n.dot(frame_.right), n.dot(frame_.up), n.dot(frame_.backward))
                     .cast<float>();
         }
-        out_.albedo(i, j) = AlbedoAt(scene_, here.triangle, b[1], b[2]);
+        if (options_.albedo) out_.albedo(i, j) = AlbedoAt(scene_, here.triangle, b[1], b[2]);
         if (!options_.texture_coordinates) return;
         if (scene_.mesh.uvs.empty()) {
             NoTextureCoordinates(i, j);

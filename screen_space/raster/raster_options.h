@@ -29,6 +29,7 @@ struct RasterOptions {
     VertexPath vertices = VertexPath::kDouble;
     ZSource z = ZSource::kSurface;
     int guard_px = 0;                  ///< Border drawn on each side. [0, 16384]
+    bool albedo = true;                ///< Whether GBuffer::albedo is wanted.
     bool texture_coordinates = false;  ///< Whether GBuffer::uv and its derivatives are wanted.
 
     friend bool operator==(const RasterOptions&, const RasterOptions&) = default;

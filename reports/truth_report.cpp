@@ -21,8 +21,11 @@ std::string ToJsonText(const TruthReport& report) {
     json["stopped_by"] = report.stopped_by;
     json["quantities"] = nlohmann::ordered_json::array();
     for (const TruthQuantity& q : report.quantities) {
-        json["quantities"].push_back(
-            {{"name", q.name}, {"mean", q.mean}, {"rms_standard_error", q.rms_error}});
+        json["quantities"].push_back({{"name", q.name},
+                                      {"mean", q.mean},
+                                      {"rms_standard_error", q.rms_error},
+                                      {"rms_below_95", q.rms_below},
+                                      {"rms_above_95", q.rms_above}});
     }
     json["pixels_that_show_a_surface"] = report.pixels_seen;
     json["pixels_that_show_a_back"] = report.seen_from_behind;
@@ -35,11 +38,11 @@ std::string ToJsonText(const TruthReport& report) {
 void WriteTable(std::ostream& out, const TruthReport& report) {
     const auto flags = out.flags();
     const auto precision = out.precision();
-    out << "quantity        mean  standard error (rms)\n" << std::fixed;
+    out << "quantity         mean  standard error (rms)  95 % interval (rms)\n" << std::fixed;
     for (const TruthQuantity& q : report.quantities) {
-        out << std::left << std::setw(10) << q.name << std::right << std::setw(10)
+        out << std::left << std::setw(12) << q.name << std::right << std::setw(10)
             << std::setprecision(5) << q.mean << std::setw(12) << std::setprecision(6)
-            << q.rms_error << "\n";
+            << q.rms_error << "            -" << q.rms_below << " +" << q.rms_above << "\n";
     }
     out << "\n"
         << report.spp << " samples a pixel, stopped by " << report.stopped_by << "; lost walks "

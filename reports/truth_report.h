@@ -16,6 +16,8 @@ struct TruthQuantity {
     std::string name;
     double mean = 0;
     double rms_error = 0;  ///< Root mean square of the pixels' standard errors.
+    /// From the value to the ends of its 95 % interval, root mean square.
+    double rms_below = 0, rms_above = 0;
 };
 
 struct TruthReport {

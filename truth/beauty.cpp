@@ -43,22 +43,21 @@ RgbSums MeasureBeauty(const RayCaster& caster, const Scene& scene, const Camera&
     const ShadingModel model(scene.light);
     const std::size_t R = std::size_t(sampling.replicates);
     const std::int64_t pixels = std::int64_t(camera.width_px) * camera.height_px;
-    RgbSums out{.replicates = int(R),
-                .points = sampling.points,
-                .sum = std::vector<std::array<double, 3>>(std::size_t(pixels) * R)};
+    RgbSums out(pixels, int(R), sampling.points);
     ParallelFor(
         pixels, kPixelsPerChunk,
         [&](std::int64_t begin, std::int64_t end) {
-            std::vector<Ray> rays(std::size_t(sampling.points));
-            std::vector<Hit> hits(rays.size());
-            for (std::int64_t p = begin; p < end; ++p) {
+            std::vector<Ray> rays;
+            std::vector<Hit> hits;
+            const auto measure = [&](const NetSampling& part, std::int64_t p) {
                 const double column = double(p % camera.width_px);
                 const double row = double(p / camera.width_px);
+                rays.resize(std::size_t(part.points));
+                hits.resize(rays.size());
                 for (std::size_t r = 0; r < R; ++r) {
-                    const std::uint64_t net = NetSeed(sampling.seed, p, int(r));
+                    const std::uint64_t net = NetSeed(part.seed, p, int(r));
                     for (std::size_t s = 0; s < rays.size(); ++s) {
-                        const std::uint32_t index =
-                            std::uint32_t(sampling.first + std::int64_t(s));
+                        const std::uint32_t index = std::uint32_t(part.first + std::int64_t(s));
                         const Vec2 x = SobolOwenPair(index, kFirstDirection, net);
                         rays[s].origin_m = camera.position_m.cast<float>();
                         rays[s].direction =
@@ -71,12 +70,19 @@ RgbSums MeasureBeauty(const RayCaster& caster, const Scene& scene, const Camera&
                         const Rgb L = hits[s].Met()
                                           ? RadianceAt(caster, scene, model, hits[s], w)
                                           : SkyRadiance(scene.light, w);
-                        for (std::size_t c = 0; c < 3; ++c) sum[c] += L[c];
+                        for (std::size_t c = 0; c < 3; ++c) {
+                            sum[c] += L[c];
+                            out.spread[std::size_t(p)][c].Add(L[c]);
+                        }
                     }
                 }
-            }
+            };
+            InParts(sampling, monitor, [&](const NetSampling& part) {
+                for (std::int64_t p = begin; p < end; ++p) measure(part, p);
+            });
         },
         monitor, "beauty");
+    out.FindCeiling();
     return out;
 }
 

@@ -23,12 +23,14 @@ constexpr double kRescueGrowth = 8;
 // Follows the walks of one receiver together, bounce by bounce.
 class Walker {
   public:
-    Walker(const RayCaster& caster, const Mesh& mesh, const WalkOptions& options)
-        : caster_(caster), mesh_(mesh), options_(options) {}
+    Walker(const RayCaster& caster, const Mesh& mesh, const WalkOptions& options,
+           const Monitor& monitor)
+        : caster_(caster), mesh_(mesh), options_(options), monitor_(monitor) {}
 
     void Walk(const Receiver& receiver, std::int64_t number, EscapeCounts& counts) {
         Start(receiver, number);
         for (int k = 0; k <= options_.bounces && !walks_.empty(); ++k) {
+            CheckCancelled(monitor_);
             hits_.resize(rays_.size());
             caster_.Closest(rays_, hits_);
             std::size_t kept = 0;
@@ -141,6 +143,7 @@ class Walker {
     const RayCaster& caster_;
     const Mesh& mesh_;
     const WalkOptions& options_;
+    const Monitor& monitor_;
     std::vector<std::uint64_t> nets_;
     std::vector<State> walks_;
     std::vector<Ray> rays_;
@@ -200,18 +203,30 @@ Measured EscapeCounts::LostShare(std::int64_t receiver, double confidence) const
 
 Measured EscapeCounts::Total(std::int64_t receiver, Albedo rho, double confidence) const {
     std::vector<double> low, high;
+    SampleSpread spread_low, spread_high;
+    const auto add = [](SampleSpread& spread, double x, std::uint32_t walks) {
+        if (walks > 0) spread.Add(x, walks);
+    };
     for (int r = 0; r < replicates_; ++r) {
         const std::span<const std::uint32_t> row = Row(receiver, r);
         double sum = 0, weight = 1;
         for (int k = 0; k <= bounces_; ++k, weight *= rho.value) {
             sum += weight * row[std::size_t(k)];
+            add(spread_low, weight, row[std::size_t(k)]);
         }
-        const double rest = weight * row[std::size_t(bounces_) + 1];
-        low.push_back(sum / double(points_));
-        high.push_back((sum + rest + row[std::size_t(bounces_) + 2]) / double(points_));
+        const std::uint32_t under_way = row[std::size_t(bounces_) + 1];
+        const std::uint32_t lost_walks = row[std::size_t(bounces_) + 2];
+        low.push_back(sum);
+        high.push_back(sum + weight * under_way + lost_walks);
+        add(spread_high, weight, under_way);
+        add(spread_high, 1, lost_walks);
+        add(spread_low, 0, under_way + lost_walks);
+        for (std::size_t k = 0; k <= std::size_t(bounces_); ++k) {
+            add(spread_high, std::pow(rho.value, double(k)), row[k]);
+        }
     }
-    const Measured least = FromMeans(low, points_, confidence);
-    const Measured most = FromMeans(high, points_, confidence);
+    const Measured least = FromSums(low, points_, spread_low, confidence);
+    const Measured most = FromSums(high, points_, spread_high, confidence);
     return {.value = (least.value + most.value) / 2,
             .standard_error = std::max(least.standard_error, most.standard_error),
             .interval = {.low = least.interval.low, .high = most.interval.high}};
@@ -234,12 +249,16 @@ EscapeCounts WalkToTheSky(const RayCaster& caster, const Mesh& mesh,
     ParallelFor(
         std::int64_t(receivers.size()), kReceiversPerChunk,
         [&](std::int64_t begin, std::int64_t end) {
-            Walker walker(caster, mesh, options);
-            for (std::int64_t i = begin; i < end; ++i) {
-                walker.Walk(receivers[std::size_t(i)], i, counts);
-            }
-            const std::lock_guard lock(mutex);
-            counts.lost += walker.GetLost();
+            InParts(options.sampling, monitor, [&](const NetSampling& part) {
+                WalkOptions of_part = options;
+                of_part.sampling = part;
+                Walker walker(caster, mesh, of_part, monitor);
+                for (std::int64_t i = begin; i < end; ++i) {
+                    walker.Walk(receivers[std::size_t(i)], i, counts);
+                }
+                const std::lock_guard lock(mutex);
+                counts.lost += walker.GetLost();
+            });
         },
         monitor, "walks");
     return counts;

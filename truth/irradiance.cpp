@@ -26,21 +26,31 @@ constexpr std::uint64_t kRouletteKey =
 class Walker {
   public:
     Walker(const RayCaster& caster, const Scene& scene, const ShadingModel& lights,
-           const IrradianceOptions& options)
-        : caster_(caster), scene_(scene), options_(options), direct_(caster, lights) {}
+           const IrradianceOptions& options, const Monitor& monitor)
+        : caster_(caster),
+          scene_(scene),
+          options_(options),
+          monitor_(monitor),
+          direct_(caster, lights) {}
 
-    void Walk(const Receiver& receiver, std::int64_t number, std::span<Colour> sums) {
+    void Walk(const Receiver& receiver, std::int64_t number, std::span<Colour> sums,
+              std::array<SampleSpread, 3>& spread) {
         Start(receiver, number, sums);
         for (int k = 0; !walks_.empty(); ++k) {
+            CheckCancelled(monitor_);
             if (k > options_.max_bounces) {
                 cut_ += std::int64_t(walks_.size());
+                for (const State& walk : walks_) AddSample(walk, spread);
                 return;
             }
             hits_.resize(rays_.size());
             caster_.Closest(rays_, hits_);
             std::size_t kept = 0;
             for (std::size_t i = 0; i < walks_.size(); ++i) {
-                if (!Step(i, k, sums)) continue;
+                if (!Step(i, k, sums)) {
+                    AddSample(walks_[i], spread);
+                    continue;
+                }
                 walks_[kept] = walks_[i];
                 rays_[kept] = rays_[i];
                 ++kept;
@@ -60,7 +70,12 @@ class Walker {
         std::uint32_t index;  // Of the point in its net.
         Colour T;
         Colour T_at_light;  // Before the roulette: what the surface itself reflects.
+        Colour brought;     // So far, by this walk.
     };
+
+    static void AddSample(const State& walk, std::array<SampleSpread, 3>& spread) {
+        for (std::size_t c = 0; c < 3; ++c) spread[c].Add(walk.brought[c]);
+    }
 
     void Start(const Receiver& receiver, std::int64_t number, std::span<Colour> sums) {
         const NetSampling& sampling = options_.sampling;
@@ -74,7 +89,7 @@ class Walker {
             for (std::int64_t s = 0; s < sampling.points; ++s) {
                 const std::uint32_t index = std::uint32_t(sampling.first + s);
                 const Vec2 b = receiver.Place(SobolOwenPair(index, kPlace, nets_.back()));
-                walks_.push_back({r, index, {1, 1, 1}, {1, 1, 1}});
+                walks_.push_back({r, index, {1, 1, 1}, {1, 1, 1}, {0, 0, 0}});
                 rays_.push_back(LeaveSurface(triangle, b.x(), b.y(), frame.n));
                 if (receiver.spread) direct_.Ask(rays_.back(), frame.n);
                 rays_.back().direction = Direction(frame, walks_.back(), kFirstDirection);
@@ -89,6 +104,7 @@ class Walker {
         for (Colour& sum : sums) {
             for (std::size_t c = 0; c < 3; ++c) sum[c] += double(sampling.points) * D[c];
         }
+        for (State& walk : walks_) walk.brought = D;
     }
 
     Vec3f Direction(const Basis& frame, const State& walk, std::uint32_t pair) const {
@@ -100,9 +116,11 @@ class Walker {
     void AddDirect(std::span<Colour> sums) {
         const std::vector<Colour>& answer = direct_.Answer();
         for (std::size_t i = 0; i < answer.size(); ++i) {
-            const State& walk = walks_[i];
+            State& walk = walks_[i];
             for (std::size_t c = 0; c < 3; ++c) {
-                sums[std::size_t(walk.replicate)][c] += walk.T_at_light[c] * answer[i][c];
+                const double light = walk.T_at_light[c] * answer[i][c];
+                sums[std::size_t(walk.replicate)][c] += light;
+                walk.brought[c] += light;
             }
         }
     }
@@ -120,7 +138,10 @@ class Walker {
         if (!hit.Met()) {
             const Rgb L = SkyRadiance(scene_.light, w);
             Colour& sum = sums[std::size_t(walk.replicate)];
-            for (std::size_t c = 0; c < 3; ++c) sum[c] += walk.T[c] * L[c];
+            for (std::size_t c = 0; c < 3; ++c) {
+                sum[c] += walk.T[c] * L[c];
+                walk.brought[c] += walk.T[c] * L[c];
+            }
             return false;
         }
         const Rgb rho = AlbedoAt(scene_, hit.triangle, hit.b_1, hit.b_2);
@@ -152,6 +173,7 @@ class Walker {
     const RayCaster& caster_;
     const Scene& scene_;
     const IrradianceOptions& options_;
+    const Monitor& monitor_;
     DirectLight direct_;
     std::vector<std::uint64_t> nets_;
     std::vector<State> walks_;
@@ -181,23 +203,27 @@ IrradianceSums MeasureIrradiance(const RayCaster& caster, const Scene& scene,
     const std::size_t R = std::size_t(options.sampling.replicates);
     const ShadingModel lights(scene.light);
     IrradianceSums out;
-    out.sums = {.replicates = int(R),
-                .points = options.sampling.points,
-                .sum = std::vector<Colour>(receivers.size() * R, Colour{})};
+    out.sums = RgbSums(std::int64_t(receivers.size()), int(R), options.sampling.points);
     std::mutex mutex;
     ParallelFor(
         std::int64_t(receivers.size()), kReceiversPerChunk,
         [&](std::int64_t begin, std::int64_t end) {
-            Walker walker(caster, scene, lights, options);
-            for (std::int64_t i = begin; i < end; ++i) {
-                walker.Walk(receivers[std::size_t(i)], i,
-                            std::span(out.sums.sum).subspan(std::size_t(i) * R, R));
-            }
-            const std::lock_guard lock(mutex);
-            out.lost += walker.GetLost();
-            out.cut += walker.Cut();
+            InParts(options.sampling, monitor, [&](const NetSampling& part) {
+                IrradianceOptions of_part = options;
+                of_part.sampling = part;
+                Walker walker(caster, scene, lights, of_part, monitor);
+                for (std::int64_t i = begin; i < end; ++i) {
+                    walker.Walk(receivers[std::size_t(i)], i,
+                                std::span(out.sums.sum).subspan(std::size_t(i) * R, R),
+                                out.sums.spread[std::size_t(i)]);
+                }
+                const std::lock_guard lock(mutex);
+                out.lost += walker.GetLost();
+                out.cut += walker.Cut();
+            });
         },
         monitor, "irradiance");
+    out.sums.FindCeiling();
     return out;
 }
 

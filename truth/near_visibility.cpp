@@ -39,16 +39,14 @@ void Validate(const NearOptions& options) {
 }
 
 Measured NearSums::Of(std::int64_t receiver, double confidence) const {
-    std::vector<double> means;
-    for (int r = 0; r < replicates; ++r) {
-        means.push_back(sum[std::size_t(receiver * replicates + r)] / double(points));
-    }
-    return FromMeans(means, points, confidence);
+    return FromSums({&sum[std::size_t(receiver * replicates)], std::size_t(replicates)}, points,
+                    spread[std::size_t(receiver)], confidence);
 }
 
 void NearSums::Merge(const NearSums& later) {
     assert(later.sum.size() == sum.size() && later.replicates == replicates);
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += later.sum[i];
+    for (std::size_t i = 0; i < spread.size(); ++i) spread[i].Merge(later.spread[i]);
     points += later.points;
 }
 
@@ -58,24 +56,26 @@ std::vector<NearSums> MeasureNearEach(const RayCaster& caster, const Mesh& mesh,
                                       std::span<const Falloff> falloffs, Monitor& monitor) {
     Validate(options);
     const NetSampling& sampling = options.sampling;
-    const std::size_t R = std::size_t(sampling.replicates), n = std::size_t(sampling.points);
+    const std::size_t R = std::size_t(sampling.replicates);
     std::vector<NearSums> sums(falloffs.size(),
                                NearSums{.replicates = int(R),
                                         .points = sampling.points,
-                                        .sum = std::vector<double>(receivers.size() * R)});
+                                        .sum = std::vector<double>(receivers.size() * R),
+                                        .spread = std::vector<SampleSpread>(receivers.size())});
     ParallelFor(
         std::int64_t(receivers.size()), 16,
         [&](std::int64_t begin, std::int64_t end) {
-            std::vector<Ray> rays(n);
-            std::vector<Hit> hits(n);
-            for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
+            std::vector<Ray> rays;
+            std::vector<Hit> hits;
+            const auto measure = [&](const NetSampling& part, std::size_t i) {
                 const Triangle triangle = TriangleOf(mesh, receivers[i].triangle);
                 const Basis frame(receivers[i].Normal(triangle));
+                rays.resize(std::size_t(part.points));
+                hits.resize(rays.size());
                 for (std::size_t r = 0; r < R; ++r) {
-                    const std::uint64_t net = NetSeed(sampling.seed, std::int64_t(i), int(r));
-                    for (std::size_t s = 0; s < n; ++s) {
-                        const std::uint32_t index =
-                            std::uint32_t(sampling.first + std::int64_t(s));
+                    const std::uint64_t net = NetSeed(part.seed, std::int64_t(i), int(r));
+                    for (std::size_t s = 0; s < rays.size(); ++s) {
+                        const std::uint32_t index = std::uint32_t(part.first + std::int64_t(s));
                         const Vec2 b = receivers[i].Place(SobolOwenPair(index, kPlace, net));
                         rays[s] = LeaveSurface(triangle, b.x(), b.y(), frame.n);
                         rays[s].far = float(options.reach_m);
@@ -85,15 +85,18 @@ std::vector<NearSums> MeasureNearEach(const RayCaster& caster, const Mesh& mesh,
                     }
                     caster.Closest(rays, hits);
                     for (std::size_t k = 0; k < falloffs.size(); ++k) {
-                        double sum = 0;
                         for (const Hit& hit : hits) {
-                            sum +=
+                            const double g =
                                 hit.Met() ? OpennessAt(hit.t, options.reach_m, falloffs[k]) : 1;
+                            sums[k].sum[i * R + r] += g;
+                            sums[k].spread[i].Add(g);
                         }
-                        sums[k].sum[i * R + r] = sum;
                     }
                 }
-            }
+            };
+            InParts(sampling, monitor, [&](const NetSampling& part) {
+                for (std::int64_t i = begin; i < end; ++i) measure(part, std::size_t(i));
+            });
         },
         monitor, "near visibility");
     return sums;

@@ -48,7 +48,8 @@ void Validate(const NearOptions& options);
 struct NearSums {
     int replicates = 0;
     std::int64_t points = 0;
-    std::vector<double> sum;  ///< [receiver * replicates + replicate]
+    std::vector<double> sum;           ///< [receiver * replicates + replicate]
+    std::vector<SampleSpread> spread;  ///< [receiver], of the g.
 
     std::int64_t Receivers() const { return std::int64_t(sum.size()) / replicates; }
     Measured Of(std::int64_t receiver, double confidence = kConfidence) const;

@@ -148,13 +148,17 @@ OpenCounts CountOpenSky(const RayCaster& caster, const Mesh& mesh,
     ParallelFor(
         std::int64_t(receivers.size()), kReceiversPerChunk,
         [&](std::int64_t begin, std::int64_t end) {
-            Counter counter(caster, mesh, options);
-            for (std::int64_t i = begin; i < end; ++i) {
-                counter.Count(receivers[std::size_t(i)], i,
-                              std::span(counts.open).subspan(std::size_t(i) * R, R));
-            }
-            const std::lock_guard lock(mutex);
-            counts.lost += counter.GetLost();
+            InParts(options.sampling, monitor, [&](const NetSampling& part) {
+                OpenSkyOptions of_part = options;
+                of_part.sampling = part;
+                Counter counter(caster, mesh, of_part);
+                for (std::int64_t i = begin; i < end; ++i) {
+                    counter.Count(receivers[std::size_t(i)], i,
+                                  std::span(counts.open).subspan(std::size_t(i) * R, R));
+                }
+                const std::lock_guard lock(mutex);
+                counts.lost += counter.GetLost();
+            });
         },
         monitor, "sky visibility");
     return counts;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/distributions.h"
 #include "core/error.h"
 #include "core/random.h"
 #include "core/statistics.h"
@@ -27,50 +28,81 @@ std::uint64_t NetSeed(std::uint64_t seed, std::int64_t receiver, int replicate) 
     return Absorb(Absorb(Absorb(0, seed), std::uint64_t(receiver)), std::uint64_t(replicate));
 }
 
+void CheckCancelled(const Monitor& monitor) {
+    if (monitor.Cancelled()) throw Interrupted();
+}
+
+void InParts(const NetSampling& sampling, const Monitor& monitor,
+             const std::function<void(const NetSampling& part)>& work) {
+    constexpr std::int64_t kPoints = 256;
+    NetSampling part = sampling;
+    for (std::int64_t done = 0; done < sampling.points; done += part.points) {
+        if (done > 0) CheckCancelled(monitor);
+        part.first = sampling.first + done;
+        part.points = std::min(kPoints, sampling.points - done);
+        work(part);
+    }
+}
+
 namespace {
 
-// `step`: what one sample more or less counts, below which equal means say nothing.
-Measured FromScatter(std::span<const double> means, std::int64_t n, double confidence,
-                     double step) {
+// Student's t; the usual one is made once.
+double StudentFactor(std::size_t replicates, double confidence) {
+    const auto factor = [](double level, double dof) {
+        return StudentQuantile((1 + level) / 2, dof);
+    };
+    constexpr std::size_t kUsual = 8;
+    static const double usual = factor(kConfidence, kUsual - 1);
+    return replicates == kUsual && confidence == kConfidence
+               ? usual
+               : factor(confidence, double(replicates) - 1);
+}
+
+// `step`: what one sample more or less counts, below which equal means say nothing, if the
+// samples' range does not tell.
+Measured FromScatter(std::span<const double> sums, std::int64_t n, const SampleSpread& spread,
+                     const Interval& possible, double step, double confidence) {
     Moments moments;
-    for (const double mean : means) moments.Add(mean);
-    const double R = double(means.size());
-    Estimate estimate = moments.Estimate();
-    estimate.standard_error =
-        std::max(estimate.standard_error, step / (double(n) * std::sqrt(12 * R)));
-    const double half = HalfWidth(estimate, confidence);
-    return {
-        .value = estimate.mean,
-        .standard_error = estimate.standard_error,
-        .interval = {.low = std::max(0.0, estimate.mean - half), .high = estimate.mean + half}};
+    for (const double sum : sums) moments.Add(sum / double(n));
+    const double R = double(sums.size());
+    if (!spread.AllAlike()) step = spread.most - spread.least;
+    const double error =
+        std::max(moments.Estimate().standard_error, step / (double(n) * std::sqrt(12 * R)));
+    const double mean = moments.Mean();
+    const auto rare = RareInterval(sums, n, spread, possible, confidence);
+    if (rare) return {.value = mean, .standard_error = error, .interval = *rare};
+    const double half = StudentFactor(sums.size(), confidence) * error;
+    return {.value = mean,
+            .standard_error = error,
+            .interval = {.low = std::max(possible.low, mean - half), .high = mean + half}};
 }
 
 }  // namespace
 
-Measured FromMeans(std::span<const double> means, std::int64_t n, double confidence) {
-    Measured measured = FromScatter(means, n, confidence, 1);
+Measured FromSums(std::span<const double> sums, std::int64_t n, const SampleSpread& spread,
+                  double confidence) {
+    Measured measured = FromScatter(sums, n, spread, {.low = 0, .high = 1}, 1, confidence);
     measured.interval.high = std::min(1.0, measured.interval.high);
     return measured;
 }
 
-Measured FromUnboundedMeans(std::span<const double> means, std::int64_t n, double confidence) {
-    const double largest = *std::max_element(means.begin(), means.end());
-    return FromScatter(means, n, confidence, largest);
+Measured FromUnboundedSums(std::span<const double> sums, std::int64_t n,
+                           const SampleSpread& spread, double ceiling, double confidence) {
+    const double largest = *std::max_element(sums.begin(), sums.end()) / double(n);
+    return FromScatter(sums, n, spread, {.low = 0, .high = ceiling}, largest, confidence);
 }
 
 Measured FromCounts(std::span<const std::uint32_t> successes, std::int64_t n,
                     double confidence) {
-    std::vector<double> means;
-    means.reserve(successes.size());
-    for (const std::uint32_t count : successes) means.push_back(double(count) / double(n));
-    Measured measured = FromMeans(means, n, confidence);
-    const std::int64_t trials = n * std::int64_t(successes.size());
+    const std::vector<double> sums(successes.begin(), successes.end());
     const std::int64_t all =
         std::accumulate(successes.begin(), successes.end(), std::int64_t{0});
-    if (all == 0 || all == trials) {
-        measured.interval = ClopperPearsonInterval(all, trials, confidence);
+    SampleSpread spread;
+    if (all > 0) spread.Add(1, double(all));
+    if (const std::int64_t none = n * std::int64_t(sums.size()) - all; none > 0) {
+        spread.Add(0, double(none));
     }
-    return measured;
+    return FromSums(sums, n, spread, confidence);
 }
 
 }  // namespace plumb

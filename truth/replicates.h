@@ -8,9 +8,9 @@
 // independent and unbiased, and their scatter is the whole error: a net's own samples are
 // dependent, and their scatter says nothing (2.8 times too much, as measured).
 //
-// Where every sample gave 0, or every one gave 1, the scatter is 0 and says nothing either:
-// the interval is that of Clopper and Pearson for R n independent trials. Where counts only
-// happen to be equal, se is kept above what rounding to counts hides: 1 / (n sqrt(12 R)).
+// Where few samples decide, or none, the scatter says little: the interval is then that of
+// truth/rare_samples.h, and not even about X. Where counts only happen to be equal, se is kept
+// above what rounding to counts hides: 1 / (n sqrt(12 R)) of the range of the samples.
 //
 // Source   [Owen95] for the nets; R = 8 gave the narrowest honest interval of those tried at
 //          R n = 1024 (4, 8, 16, 32): tests/truth/replicates_test.cpp checks its coverage.
@@ -18,9 +18,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
+#include "core/intervals.h"
 #include "core/measured.h"
+#include "core/monitor.h"
+#include "truth/rare_samples.h"
 
 namespace plumb {
 
@@ -35,6 +39,15 @@ struct NetSampling {
 /// Throws Error, naming field, value and rule.
 void Validate(const NetSampling& sampling);
 
+/// Calls work(part) for parts of the sampling, one after the other, of few enough points that
+/// the memory of their rays stays small and a cancelled run ends soon: Interrupted is thrown
+/// between them.
+void InParts(const NetSampling& sampling, const Monitor& monitor,
+             const std::function<void(const NetSampling& part)>& work);
+
+/// Throws Interrupted if the monitor says so.
+void CheckCancelled(const Monitor& monitor);
+
 /// Which pair of a net's dimensions serves what: the first is the evenest, and the first direction
 /// has the edges.
 inline constexpr std::uint32_t kFirstDirection = 0, kPlace = 1, kLaterDirections = 2;
@@ -48,12 +61,14 @@ inline constexpr double kConfidence = 0.95;
 Measured FromCounts(std::span<const std::uint32_t> successes, std::int64_t n,
                     double confidence = kConfidence);
 
-/// Of the mean of values in [0, 1]: means[r] over the n points of net r.
-Measured FromMeans(std::span<const double> means, std::int64_t n,
-                   double confidence = kConfidence);
+/// Of the mean of values in [0, 1]: sums[r] over the n points of net r.
+Measured FromSums(std::span<const double> sums, std::int64_t n, const SampleSpread& spread,
+                  double confidence = kConfidence);
 
-/// Of the mean of values >= 0 without an upper bound, such as radiances.
-Measured FromUnboundedMeans(std::span<const double> means, std::int64_t n,
-                            double confidence = kConfidence);
+/// Of the mean of values >= 0 without an upper bound, such as radiances. `ceiling`: the largest
+/// value that was met anywhere, which a sample that was not taken might have had.
+Measured FromUnboundedSums(std::span<const double> sums, std::int64_t n,
+                           const SampleSpread& spread, double ceiling,
+                           double confidence = kConfidence);
 
 }  // namespace plumb

@@ -25,7 +25,9 @@ struct FacetColumn {
 std::string CsvOf(const Mesh& mesh, const std::vector<Receiver>& receivers,
                   const std::vector<FacetColumn>& columns) {
     std::string csv = "triangle,area_m2,normal_x,normal_y,normal_z";
-    for (const FacetColumn& c : columns) csv += "," + c.name + "," + c.name + "_error";
+    for (const FacetColumn& c : columns) {
+        for (const char* part : {"", "_error", "_low", "_high"}) csv += "," + c.name + part;
+    }
     csv += "\n";
     for (std::size_t i = 0; i < receivers.size(); ++i) {
         const Triangle triangle = TriangleOf(mesh, receivers[i].triangle);
@@ -34,7 +36,10 @@ std::string CsvOf(const Mesh& mesh, const std::vector<Receiver>& receivers,
         for (int axis = 0; axis < 3; ++axis) csv += "," + Exact(n[axis]);
         for (const FacetColumn& column : columns) {
             const Measured m = column.of(std::int64_t(i));
-            csv += "," + Exact(m.value) + "," + Exact(m.standard_error);
+            for (const double x :
+                 {m.value, m.standard_error, m.interval.low, m.interval.high}) {
+                csv += "," + Exact(x);
+            }
         }
         csv += "\n";
     }

@@ -34,8 +34,8 @@ struct FacetTruthResult {
     double rms_error_V = 0;      ///< Root mean square standard error of the triangles' V.
 };
 
-/// Writes facets.csv into `folder`: triangle, its area and unit normal, then each quantity and its
-/// standard error. Triangle 2 f is (a, b, d) of face f, 2 f + 1 is (c, d, b).
+/// Writes facets.csv into `folder`: triangle, its area and unit normal, then each quantity X, its
+/// standard error and the ends of its 95 % interval (X, X_error, X_low, X_high). Triangle 2 f is (a, b, d) of face f, 2 f + 1 is (c, d, b).
 FacetTruthResult MeasureFacetTruth(const LoadedScene& loaded, const FacetTruthJob& job,
                                    const std::filesystem::path& folder,
                                    Monitor& monitor = SilentMonitor());

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "core/parallel.h"
+
 namespace plumb {
 
 void TruthPictures::Add(const std::string& name, double sky,
                         const std::function<Measured(std::int64_t)>& measured) {
-    AddMeasured(name, name + ".error", sky, PlacesOfReceivers(), measured);
+    AddMeasured(name, "", sky, PlacesOfReceivers(), measured);
 }
 
 void TruthPictures::AddColour(const std::string& name, const RgbSums& of_receivers) {
@@ -27,8 +29,7 @@ void TruthPictures::AddColourOfPixels(const std::string& name, const RgbSums& of
 void TruthPictures::AddColour(const std::string& name, const RgbSums& sums,
                               const std::vector<Place>& places) {
     for (std::size_t c = 0; c < 3; ++c) {
-        const std::string colour(1, "RGB"[c]);
-        AddMeasured(name + "." + colour, name + ".error." + colour, 0, places,
+        AddMeasured(name, std::string(".") + "RGB"[c], 0, places,
                     [&](std::int64_t i) { return sums.Of(i, c); });
     }
 }
@@ -41,25 +42,41 @@ std::vector<TruthPictures::Place> TruthPictures::PlacesOfReceivers() const {
     return places;
 }
 
-void TruthPictures::AddMeasured(const std::string& value_name, const std::string& error_name,
-                                double sky, const std::vector<Place>& places,
+void TruthPictures::AddMeasured(const std::string& name, const std::string& part, double sky,
+                                const std::vector<Place>& places,
                                 const std::function<Measured(std::int64_t)>& measured) {
     const int w = pixels_.depth_m.Width(), h = pixels_.depth_m.Height();
     Image<float> value(w, h, float(sky)), error(w, h, 0);
-    TruthQuantity quantity{.name = value_name, .mean = 0, .rms_error = 0};
+    Image<float> low = value, high = value;
+    std::vector<Measured> all(places.size());
+    ParallelFor(std::int64_t(places.size()), 4096, [&](std::int64_t begin, std::int64_t end) {
+        for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
+            all[i] = measured(places[i].number);
+        }
+    });
+    TruthQuantity quantity{.name = name + part};
     const double n = double(std::max<std::size_t>(1, places.size()));
-    double squares = 0;
-    for (const auto& [number, pixel] : places) {
-        const Measured m = measured(number);
+    double squares = 0, squares_below = 0, squares_above = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Measured& m = all[i];
+        const std::size_t pixel = places[i].pixel;
         value.Pixels()[pixel] = float(m.value);
         error.Pixels()[pixel] = float(m.standard_error);
+        low.Pixels()[pixel] = float(m.interval.low);
+        high.Pixels()[pixel] = float(m.interval.high);
         quantity.mean += m.value / n;
         squares += m.standard_error * m.standard_error / n;
+        squares_below += std::pow(m.value - m.interval.low, 2) / n;
+        squares_above += std::pow(m.interval.high - m.value, 2) / n;
     }
     quantity.rms_error = std::sqrt(squares);
+    quantity.rms_below = std::sqrt(squares_below);
+    quantity.rms_above = std::sqrt(squares_above);
     quantities.push_back(quantity);
-    channels.push_back({value_name, std::move(value)});
-    channels.push_back({error_name, std::move(error)});
+    channels.push_back({name + part, std::move(value)});
+    channels.push_back({name + ".error" + part, std::move(error)});
+    channels.push_back({name + ".low" + part, std::move(low)});
+    channels.push_back({name + ".high" + part, std::move(high)});
 }
 
 void TruthPictures::AddPlain(const std::string& name,

@@ -1,6 +1,11 @@
 // From counts to channels: what truth.exr holds and what the report says of it.
 //
-// Where the sky is seen, a quantity has the value that the caller names and no error.
+//       NAME, NAME.error    value and standard error
+//       NAME.low, NAME.high the ends of its 95 % interval (truth/replicates.h), which is not
+//                           about the value where events are rare
+//
+// Where the sky is seen, a quantity has the value that the caller names, no error, and an
+// interval of no width.
 #pragma once
 
 #include <functional>
@@ -19,11 +24,12 @@ class TruthPictures {
   public:
     explicit TruthPictures(const PixelGeometry& pixels) : pixels_(pixels) {}
 
-    /// Channels `name` and `name.error` of a quantity of receiver i.
+    /// Channels `name`, `name.error`, `name.low` and `name.high` of a quantity of receiver i;
+    /// `measured` is called from several threads.
     void Add(const std::string& name, double sky,
              const std::function<Measured(std::int64_t)>& measured);
 
-    /// Channels name.R ... and name.error.R ... of a colour; where the sky is seen 0.
+    /// The same of a colour: name.R ..., name.error.R ...; where the sky is seen 0.
     void AddColour(const std::string& name, const RgbSums& of_receivers);
 
     /// The same of every pixel, the sky too.
@@ -43,7 +49,8 @@ class TruthPictures {
 
     void AddColour(const std::string& name, const RgbSums& sums,
                    const std::vector<Place>& places);
-    void AddMeasured(const std::string& value_name, const std::string& error_name, double sky,
+    /// `part`: ".R" of a colour, or nothing.
+    void AddMeasured(const std::string& name, const std::string& part, double sky,
                      const std::vector<Place>& places,
                      const std::function<Measured(std::int64_t)>& measured);
     std::vector<Place> PlacesOfReceivers() const;

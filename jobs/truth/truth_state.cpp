@@ -73,24 +73,28 @@ void VisitNumbers(Counts& counts, Visit&& visit) {
         }
         visit(One(counts.walks->lost));
     }
-    if (counts.near) visit(std::span(counts.near->sum));
+    const auto visit_colours = [&](auto& sums) {
+        visit(std::span(sums.sum));
+        visit(std::span(sums.spread));
+        visit(One(sums.ceiling));
+    };
+    if (counts.near) {
+        visit(std::span(counts.near->sum));
+        visit(std::span(counts.near->spread));
+    }
     if (counts.irradiance) {
-        visit(std::span(counts.irradiance->sums.sum));
+        visit_colours(counts.irradiance->sums);
         visit(One(counts.irradiance->lost));
         visit(One(counts.irradiance->cut));
     }
-    if (counts.beauty) visit(std::span(counts.beauty->sum));
+    if (counts.beauty) visit_colours(*counts.beauty);
     visit(std::span(counts.rms_errors));
 }
 
 // Counts of the right size, all zero.
 TruthCounts Empty(std::int64_t points, const TruthSizes& sizes, const TruthJob& job) {
     const std::size_t cells = std::size_t(sizes.receivers) * kTruthNets;
-    const auto colours = [&](std::int64_t n) {
-        return RgbSums{.replicates = kTruthNets,
-                       .points = points,
-                       .sum = std::vector<std::array<double, 3>>(std::size_t(n) * kTruthNets)};
-    };
+    const auto colours = [&](std::int64_t n) { return RgbSums(n, kTruthNets, points); };
     const OpenCounts open{.replicates = kTruthNets,
                           .points = points,
                           .open = std::vector<std::uint32_t>(cells),
@@ -104,8 +108,11 @@ TruthCounts Empty(std::int64_t points, const TruthSizes& sizes, const TruthJob& 
         counts.V = open;
     }
     if (job.reach_m > 0) {
-        counts.near = NearSums{
-            .replicates = kTruthNets, .points = points, .sum = std::vector<double>(cells)};
+        counts.near =
+            NearSums{.replicates = kTruthNets,
+                     .points = points,
+                     .sum = std::vector<double>(cells),
+                     .spread = std::vector<SampleSpread>(std::size_t(sizes.receivers))};
     }
     if (job.irradiance) {
         counts.irradiance = IrradianceSums{.sums = colours(sizes.receivers), .lost = {}};

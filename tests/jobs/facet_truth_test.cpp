@@ -61,14 +61,17 @@ TEST(FacetTruth, OfOppositeSquaresIsTheirFormFactor) {
 
     const auto rows = RowsOf(result.csv);
     ASSERT_EQ(rows.size(), 5u);
-    EXPECT_EQ(rows[0], (std::vector<std::string>{"triangle", "area_m2", "normal_x", "normal_y",
-                                                 "normal_z", "V", "V_error", "E_1", "E_1_error",
-                                                 "E_2", "E_2_error", "alpha", "alpha_error"}));
+    EXPECT_EQ(rows[0],
+              (std::vector<std::string>{
+                  "triangle",    "area_m2",   "normal_x",  "normal_y", "normal_z",  "V",
+                  "V_error",     "V_low",     "V_high",    "E_1",      "E_1_error", "E_1_low",
+                  "E_1_high",    "E_2",       "E_2_error", "E_2_low",  "E_2_high",  "alpha",
+                  "alpha_error", "alpha_low", "alpha_high"}));
     double E_1 = 0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         EXPECT_EQ(std::stod(rows[i][1]), 0.5);
         EXPECT_EQ(std::stod(rows[i][4]), i <= 2 ? 1 : -1);
-        E_1 += std::stod(rows[i][7]) / 4;
+        E_1 += std::stod(rows[i][9]) / 4;
     }
     EXPECT_NEAR(E_1, F * (1 - F), 0.01 * F + 4 * result.rms_error_V / 2);
     std::filesystem::remove_all(folder);

@@ -63,13 +63,17 @@ TEST(Replicates, NoneOrAllStillLeaveDoubt) {
 // t at 0.975 with 2 degrees of freedom is 4.302652729911275 (tables): half-width 0.62, cut off
 // at 0 and 1.
 TEST(Replicates, ErrorIsTheScatterOfTheNets) {
-    const std::array<double, 3> means{0.25, 0.5, 0.75};
-    const Measured measured = FromMeans(means, 4);
+    // Yes and no, of 3 x 400 samples.
+    const std::array<double, 3> sums{100, 200, 300};
+    SampleSpread spread;
+    spread.Add(0, 600);
+    spread.Add(1, 600);
+    const Measured measured = FromSums(sums, 400, spread);
     EXPECT_DOUBLE_EQ(measured.value, 0.5);
     EXPECT_DOUBLE_EQ(measured.standard_error, 0.25 / std::sqrt(3.0));
     EXPECT_EQ(measured.interval.low, 0);
     EXPECT_EQ(measured.interval.high, 1);
-    const Measured narrow = FromMeans(std::array<double, 3>{0.49, 0.5, 0.51}, 100);
+    const Measured narrow = FromSums(std::array<double, 3>{196, 200, 204}, 400, spread);
     EXPECT_NEAR(narrow.interval.high, 0.5 + 4.302652729911275 * 0.01 / std::sqrt(3.0), 1e-12);
 }
 
@@ -235,13 +239,23 @@ TEST(NetSampling, RefusesWhatItCannotDo) {
 // rounding to whole samples hides 1 / (n sqrt 12) a net, 1 / (n sqrt(12 R)) of their mean, and
 // so much times the value where values are not counts.
 TEST(Replicates, EqualMeansAreNotTakenAsCertain) {
-    const std::array<double, 3> equal{0.5, 0.5, 0.5};
-    EXPECT_DOUBLE_EQ(FromMeans(equal, 10).standard_error, 1 / (10 * std::sqrt(36.0)));
-    const std::array<double, 3> bright{40, 40, 40};
-    const Measured measured = FromUnboundedMeans(bright, 10);
+    const std::array<double, 3> equal{5, 5, 5};
+    SampleSpread half;
+    half.Add(0, 15);
+    half.Add(1, 15);
+    EXPECT_DOUBLE_EQ(FromSums(equal, 10, half).standard_error, 1 / (10 * std::sqrt(36.0)));
+    const std::array<double, 3> bright{400, 400, 400};
+    SampleSpread lit;
+    lit.Add(40, 30);
+    const Measured measured = FromUnboundedSums(bright, 10, lit, 50);
     EXPECT_DOUBLE_EQ(measured.standard_error, 40 / (10 * std::sqrt(36.0)));
-    EXPECT_GT(measured.interval.high, 40);
-    EXPECT_EQ(FromUnboundedMeans(std::array<double, 3>{0, 0, 0}, 10).standard_error, 0);
+    // All the same: what 30 samples may have missed is a share of the way to 0 and to 50.
+    const double share = 1 - std::pow(0.025, 1.0 / 30);
+    EXPECT_NEAR(measured.interval.low, 40 - 40 * share, 1e-12);
+    EXPECT_NEAR(measured.interval.high, 40 + 10 * share, 1e-12);
+    SampleSpread dark;
+    dark.Add(0, 30);
+    EXPECT_EQ(FromUnboundedSums(std::array<double, 3>{0, 0, 0}, 10, dark, 0).standard_error, 0);
 }
 
 }  // namespace

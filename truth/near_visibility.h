@@ -20,6 +20,7 @@
 #include <span>
 #include <vector>
 
+#include "core/falloff.h"
 #include "core/mesh.h"
 #include "core/monitor.h"
 #include "truth/ray_caster.h"
@@ -27,8 +28,6 @@
 #include "truth/replicates.h"
 
 namespace plumb {
-
-enum class Falloff { kHard, kLinear, kSao, kQuadratic, kFarEnd };
 
 inline constexpr double kFarEndStart = 0.385;  ///< a, as GTAO is shipped.
 

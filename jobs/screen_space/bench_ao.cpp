@@ -52,8 +52,8 @@ AoSizeBench BenchSize(const Scene& scene, Camera camera, const TimedSize& size,
                    for_alchemy = BuildZPyramid(gbuffer, alchemy);
     SaoScratch sao_memory, alchemy_memory;  // As an engine keeps its targets.
     const auto s = InTurns(
-        {[&] { SaoObscurance(gbuffer, sao, sao_memory); },
-         [&] { SaoObscurance(gbuffer, alchemy, alchemy_memory); },
+        {[&] { RunSao(gbuffer, sao, sao_memory); },
+         [&] { RunSao(gbuffer, alchemy, alchemy_memory); },
          [&] { SamplePass(gbuffer, pyramid, near); },
          [&] { SamplePass(gbuffer, pyramid, far); }, [&] { SamplePass(gbuffer, none, full); },
          [&] { SamplePass(gbuffer, for_alchemy, alchemy); }},

@@ -19,21 +19,13 @@
 #include <vector>
 
 #include "core/clock.h"
-#include "core/scene.h"
 #include "jobs/truth/load_scene.h"
-#include "screen_space/gbuffer.h"
 #include "screen_space/sao/sao_passes.h"
+#include "techniques/sao.h"
+#include "techniques/technique.h"
 #include "truth/near_visibility.h"
 
 namespace plumb {
-
-/// What techniques may look at: all but ray tracing see the G-buffer alone.
-struct TechniqueInput {
-    const GBuffer& gbuffer;
-    const Scene& scene;
-    const Camera& camera;
-    const RayCaster& caster;
-};
 
 struct Pass {
     std::string name;
@@ -62,14 +54,15 @@ void Validate(const TechniqueSettings& settings);
 
 std::vector<std::string> TechniqueNames();
 
+/// The description of the technique of that name. Throws as TechniqueNamed does.
+const PictureTechnique& DescribedTechnique(const std::string& name,
+                                           const std::string& where = "technique");
+
 /// Throws Error, listing the names, if there is none of that name.
 Technique TechniqueNamed(const std::string& name, const TechniqueSettings& settings = {});
 
 /// One configuration of SAO as a technique.
 Technique SaoTechnique(std::string name, const SaoOptions& options);
-
-/// The falloff of an SAO estimator; its own bias and divisor left out.
-Falloff FalloffOf(SaoFalloffKind kind);
 
 /// A preset of SAO with that radius, and taps where settings name them.
 SaoOptions SaoWith(const std::string& preset, const TechniqueSettings& settings);

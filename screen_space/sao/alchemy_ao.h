@@ -13,7 +13,7 @@
 
 namespace plumb {
 
-/// Run by RunSao and SaoObscurance.
+/// Run by RunSao.
 SaoOptions AlchemyAo();
 
 }  // namespace plumb

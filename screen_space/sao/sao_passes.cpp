@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -106,6 +108,60 @@ void FillOutside(Image<float>& image, const PixelRect& where, float value) {
     }
 }
 
+/// Room for what is computed, with what lies around it: 1 for A, 0 for the key.
+void ReadyScratch(const View& view, const SaoOptions& options, SaoScratch& scratch) {
+    const PixelRect where = ComputedRect(view, options);
+    // New memory costs as much as a pass, so all cores fetch it.
+    Image<float>* const images[] = {&scratch.A, &scratch.blurred, &scratch.key};
+    ParallelFor(3, 1, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t k = begin; k < end; ++k) {
+            const float outside = images[k] == &scratch.key ? 0 : 1;
+            Resize(*images[k], view, outside);
+            FillOutside(*images[k], where, outside);
+        }
+    });
+}
+
+/// A pass that needs of other tiles nothing.
+struct TilePass {
+    const char* name;
+    std::function<void(const PixelRect&)> run;
+};
+
+TilePass Pack(const GBuffer& gbuffer, const SaoOptions& options, SaoScratch& scratch) {
+    return {options.pack_rgb8 ? "pack" : "key", [&](const PixelRect& tile) {
+                PackTile(gbuffer, options, tile, scratch.A, scratch.key);
+            }};
+}
+
+/// One after the other over the whole picture where each is told, else all of them tile by tile.
+void RunTilePasses(const PixelRect& where, const std::vector<TilePass>& passes,
+                   const Image<float>& A, const PassObserver& observer) {
+    if (!observer) {
+        ForEachTile(where, [&](const PixelRect& tile) {
+            for (const TilePass& pass : passes) pass.run(tile);
+        });
+        return;
+    }
+    for (const TilePass& pass : passes) {
+        ForEachTile(where, pass.run);
+        observer(pass.name, A);
+    }
+}
+
+const Image<float>& BlurAll(const GBuffer& gbuffer, const SaoOptions& options,
+                            SaoScratch& scratch, const PassObserver& observer) {
+    BlurGuide guide = GuideOf(gbuffer, options, std::move(scratch.key));
+    for (const BlurAxis axis : {BlurAxis::kX, BlurAxis::kY}) {
+        if (!IsOn(axis, options)) continue;
+        Blur(axis, gbuffer, options, guide, scratch.A, scratch.blurred);
+        std::swap(scratch.A, scratch.blurred);
+        if (observer) observer(axis == BlurAxis::kX ? "blur x" : "blur y", scratch.A);
+    }
+    scratch.key = std::move(guide.key);
+    return scratch.A;
+}
+
 }  // namespace
 
 void Validate(const SaoOptions& options) {
@@ -147,75 +203,40 @@ Image<float> SamplePass(const GBuffer& gbuffer, const ZPyramid& pyramid,
                             ComputedRect(gbuffer.view, options));
 }
 
-Image<float> QuadPass(const GBuffer& gbuffer, const SaoOptions& options, Image<float> A) {
-    if (!options.quad_filter) return A;
-    return QuadFiltered(std::move(A), gbuffer.z_m, options.quad_threshold_m,
-                        ComputedRect(gbuffer.view, options));
-}
-
-PackedPass PackPass(const GBuffer& gbuffer, const SaoOptions& options, Image<float> A) {
-    Image<float> key(gbuffer.z_m.Width(), gbuffer.z_m.Height());
-    ForEachTile(ComputedRect(gbuffer.view, options),
-                [&](const PixelRect& tile) { PackTile(gbuffer, options, tile, A, key); });
-    return {.A = std::move(A), .guide = GuideOf(gbuffer, options, std::move(key))};
-}
-
-Image<float> BlurPass(BlurAxis axis, const GBuffer& gbuffer, const SaoOptions& options,
-                      const BlurGuide& guide, Image<float> A) {
-    if (!IsOn(axis, options)) return A;
-    Image<float> blurred = A;
-    Blur(axis, gbuffer, options, guide, A, blurred);
-    return blurred;
-}
-
-SaoPasses RunSao(const GBuffer& gbuffer, const SaoOptions& options) {
-    const ZPyramid pyramid = BuildZPyramid(gbuffer, options);
-    SaoPasses passes;
-    passes.raw = SamplePass(gbuffer, pyramid, options);
-    passes.quad = QuadPass(gbuffer, options, passes.raw);
-    PackedPass packed = PackPass(gbuffer, options, passes.quad);
-    passes.packed = std::move(packed.A);
-    passes.blur_x = BlurPass(BlurAxis::kX, gbuffer, options, packed.guide, passes.packed);
-    passes.blur_y = BlurPass(BlurAxis::kY, gbuffer, options, packed.guide, passes.blur_x);
-    return passes;
-}
-
-const Image<float>& SaoObscurance(const GBuffer& gbuffer, const SaoOptions& options,
-                                  SaoScratch& scratch) {
+const Image<float>& RunSao(const GBuffer& gbuffer, const SaoOptions& options,
+                           SaoScratch& scratch, const PassObserver& observer) {
     CheckInput(gbuffer, options);
     const TapOptions& taps = options.sampling.taps;
     scratch.pyramid.Build(gbuffer.z_m, taps.filter, taps.coarsest_level);
-    const PixelRect where = ComputedRect(gbuffer.view, options);
-    // New memory costs as much as a pass, so all cores fetch it.
-    Image<float>* const images[] = {&scratch.A, &scratch.blurred, &scratch.key};
-    ParallelFor(3, 1, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t k = begin; k < end; ++k) {
-            const float outside = images[k] == &scratch.key ? 0 : 1;
-            Resize(*images[k], gbuffer.view, outside);
-            FillOutside(*images[k], where, outside);
-        }
-    });
+    if (observer) observer("z pyramid", {});
+    ReadyScratch(gbuffer.view, options, scratch);
     const ObscuranceTask task(gbuffer, scratch.pyramid, options.sampling);
-    ForEachTile(where, [&](const PixelRect& tile) {
-        ObscureTile(task, tile, scratch.A);
-        if (options.quad_filter) {
-            FilterQuads(scratch.A, gbuffer.z_m, options.quad_threshold_m, tile);
-        }
-        PackTile(gbuffer, options, tile, scratch.A, scratch.key);
-    });
-    BlurGuide guide = GuideOf(gbuffer, options, std::move(scratch.key));
-    for (const BlurAxis axis : {BlurAxis::kX, BlurAxis::kY}) {
-        if (!IsOn(axis, options)) continue;
-        Blur(axis, gbuffer, options, guide, scratch.A, scratch.blurred);
-        std::swap(scratch.A, scratch.blurred);
+    std::vector<TilePass> passes{
+        {"sample", [&](const PixelRect& tile) { ObscureTile(task, tile, scratch.A); }}};
+    if (options.quad_filter) {
+        passes.push_back({"quads", [&](const PixelRect& tile) {
+                              FilterQuads(scratch.A, gbuffer.z_m, options.quad_threshold_m,
+                                          tile);
+                          }});
     }
-    scratch.key = std::move(guide.key);
-    return scratch.A;
+    passes.push_back(Pack(gbuffer, options, scratch));
+    RunTilePasses(ComputedRect(gbuffer.view, options), passes, scratch.A, observer);
+    return BlurAll(gbuffer, options, scratch, observer);
+}
+
+const Image<float>& RunSaoFilter(const GBuffer& gbuffer, const SaoOptions& options,
+                                 SaoScratch& scratch, const PassObserver& observer) {
+    CheckInput(gbuffer, options);
+    CheckSize("A", scratch.A.Width(), scratch.A.Height(), gbuffer.view);
+    ReadyScratch(gbuffer.view, options, scratch);
+    const std::vector<TilePass> passes{Pack(gbuffer, options, scratch)};
+    RunTilePasses(ComputedRect(gbuffer.view, options), passes, scratch.A, observer);
+    return BlurAll(gbuffer, options, scratch, observer);
 }
 
 Image<float> SaoObscurance(const GBuffer& gbuffer, const SaoOptions& options) {
     SaoScratch scratch;
-    SaoObscurance(gbuffer, options, scratch);
+    RunSao(gbuffer, options, scratch);
     return std::move(scratch.A);
 }
 

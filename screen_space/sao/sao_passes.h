@@ -1,6 +1,9 @@
 // SAO from a G-buffer to the filtered picture, pass by pass; each pass can be left out.
 //
-//       z pyramid -> sample -> 2 x 2 quads -> pack to RGB8 -> blur along x -> blur along y
+//       z pyramid -> sample -> quads -> pack (to RGB8) or key -> blur x -> blur y
+//
+// By these names they are told to an observer. Without one, what several passes do to a tile is done
+// while the tile is in the cache: the same bits in less time.
 //
 // Source   [McGuire12] section 2.
 // Symbols  A obscurance in [0, 1]: 1 = open.
@@ -11,6 +14,7 @@
 
 #include "core/image.h"
 #include "screen_space/gbuffer.h"
+#include "screen_space/pass_observer.h"
 #include "screen_space/sao/bilateral_blur.h"
 #include "screen_space/sao/obscurance_pass.h"
 #include "screen_space/sao/quad_filter.h"
@@ -37,40 +41,34 @@ SaoOptions InOtherUnit(const SaoOptions& options, double scale);
 /// Where A has to be computed so that what is shown is filtered from computed pixels.
 PixelRect ComputedRect(const View& view, const SaoOptions& options);
 
-/// A of the drawn size after each pass.
-struct SaoPasses {
-    Image<float> raw, quad, packed, blur_x, blur_y;
-};
-
-/// Throws Error where options or the depth are bad, or the images are not of the view's size.
-SaoPasses RunSao(const GBuffer& gbuffer, const SaoOptions& options);
-
-/// Memory that SaoObscurance uses again, picture after picture.
+/// Memory that RunSao uses again, picture after picture.
 struct SaoScratch {
     ZPyramid pyramid;
     Image<float> A, key, blurred;
 };
 
-/// The last pass only: the same bits as RunSao's, in less time and memory. The picture is one of the
-/// scratch's, until its next use. Without a scratch the memory alone takes a third as long again.
-const Image<float>& SaoObscurance(const GBuffer& gbuffer, const SaoOptions& options,
-                                  SaoScratch& scratch);
+/// The passes that are on, one after the other; the last picture is one of the scratch's, until its
+/// next use. Throws Error where options or the depth are bad, or the images are not of the view's
+/// size.
+const Image<float>& RunSao(const GBuffer& gbuffer, const SaoOptions& options,
+                           SaoScratch& scratch, const PassObserver& observer = {});
+
+/// The passes from packing on, over the A that the scratch holds: any technique's.
+const Image<float>& RunSaoFilter(const GBuffer& gbuffer, const SaoOptions& options,
+                                 SaoScratch& scratch, const PassObserver& observer = {});
+
+/// The last picture alone. Without a scratch the memory alone takes a third as long again.
+inline const Image<float>& SaoObscurance(const GBuffer& gbuffer, const SaoOptions& options,
+                                         SaoScratch& scratch) {
+    return RunSao(gbuffer, options, scratch);
+}
 Image<float> SaoObscurance(const GBuffer& gbuffer, const SaoOptions& options);
 
-// The passes one by one, for whoever wants to time them.
+// The first two passes, for whoever samples one pyramid again and again.
 
 /// Throws as RunSao does.
 ZPyramid BuildZPyramid(const GBuffer& gbuffer, const SaoOptions& options);
 Image<float> SamplePass(const GBuffer& gbuffer, const ZPyramid& pyramid,
                         const SaoOptions& options);
-Image<float> QuadPass(const GBuffer& gbuffer, const SaoOptions& options, Image<float> A);
-
-struct PackedPass {
-    Image<float> A;  ///< After packing and unpacking.
-    BlurGuide guide;
-};
-PackedPass PackPass(const GBuffer& gbuffer, const SaoOptions& options, Image<float> A);
-Image<float> BlurPass(BlurAxis axis, const GBuffer& gbuffer, const SaoOptions& options,
-                      const BlurGuide& guide, Image<float> A);
 
 }  // namespace plumb

@@ -81,13 +81,14 @@ const std::map<std::string, Words>& MayInclude() {
         {"heightfield", {"core"}},
         {"formfactor", {"core", "heightfield"}},
         {"screen_space", {"core"}},
+        {"techniques", {"core", "screen_space"}},
         {"truth", {"core"}},
         {"fit", {"core"}},
         {"score", {"core"}},
         {"reports", {"core", "fit", "score"}},
         {"jobs",
-         {"core", "io", "scenes", "heightfield", "formfactor", "screen_space", "truth", "fit",
-          "score", "reports"}},
+         {"core", "io", "scenes", "heightfield", "formfactor", "screen_space", "techniques",
+          "truth", "fit", "score", "reports"}},
         {"app", {"core", "jobs"}},  // core: errors and the monitor, which every job speaks
     };
     return may;

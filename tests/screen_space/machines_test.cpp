@@ -6,6 +6,7 @@
 
 #include "screen_space/sao/sao_presets.h"
 #include "tests/screen_space/made_gbuffers.h"
+#include "tests/screen_space/sao_pictures.h"
 
 namespace plumb {
 namespace {
@@ -33,14 +34,14 @@ TEST_F(Machines, GiveTheSameBits) {
     taps.place = TapPlace::kLevelTexel;
     taps.phi = PhiArithmetic::kReduced;
     taps.hash = HashReading::kXorFirst;
-    std::vector<SaoPasses> best;
-    for (const SaoPreset& preset : presets) best.push_back(RunSao(g, preset.options));
+    std::vector<SaoPictures> best;
+    for (const SaoPreset& preset : presets) best.push_back(PicturesOf(g, preset.options));
     const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
     EXPECT_GT(targets.size(), 1u);
     for (const std::int64_t target : targets) {
         Use(target);
         for (std::size_t k = 0; k < presets.size(); ++k) {
-            const SaoPasses passes = RunSao(g, presets[k].options);
+            const SaoPictures passes = PicturesOf(g, presets[k].options);
             const std::string what = presets[k].name + " on " + hwy::TargetName(target);
             EXPECT_TRUE(passes.raw == best[k].raw) << what;
             EXPECT_TRUE(passes.quad == best[k].quad) << what;

@@ -11,6 +11,7 @@
 #include "core/random.h"
 #include "screen_space/sao/sao_presets.h"
 #include "tests/screen_space/made_gbuffers.h"
+#include "tests/screen_space/sao_pictures.h"
 
 namespace plumb {
 namespace {
@@ -40,7 +41,7 @@ void ExpectSoundPicture(const Image<float>& A, const GBuffer& g, const std::stri
     }
 }
 
-void ExpectSound(const SaoPasses& passes, const GBuffer& g, const std::string& what) {
+void ExpectSound(const SaoPictures& passes, const GBuffer& g, const std::string& what) {
     ExpectSoundPicture(passes.raw, g, what + " raw");
     ExpectSoundPicture(passes.quad, g, what + " quad");
     ExpectSoundPicture(passes.packed, g, what + " packed");
@@ -62,7 +63,7 @@ std::vector<SaoPreset> EveryFalloff() {
 TEST_F(Sao, EveryPassIsSoundAndDarkensACorner) {
     const GBuffer g = MadeGBuffer(MadeView(96, 64, 0.5, 16), Corner());
     for (const SaoPreset& preset : EveryFalloff()) {
-        const SaoPasses passes = RunSao(g, preset.options);
+        const SaoPictures passes = PicturesOf(g, preset.options);
         ExpectSound(passes, g, preset.name);
         double mean = 0;
         for (int y = 16; y < 80; ++y) {
@@ -81,8 +82,7 @@ TEST_F(Sao, ScratchLeavesNoTrace) {
          {MadeView(96, 64, 0.5, 16), MadeView(50, 70), MadeView(50, 70, 0.7)}) {
         const GBuffer g = MadeGBuffer(view, Corner());
         for (const SaoPreset& preset : EveryFalloff()) {
-            EXPECT_EQ(SaoObscurance(g, preset.options, scratch),
-                      RunSao(g, preset.options).blur_y)
+            EXPECT_EQ(RunSao(g, preset.options, scratch), PicturesOf(g, preset.options).blur_y)
                 << preset.name;
         }
     }
@@ -100,7 +100,7 @@ TEST_F(Sao, AFlatPlaneIsOpenExactly) {
               ZFilter::kHarmonicMean, ZFilter::kMin, ZFilter::kMax}) {
             options.sampling.taps.filter = filter;
             const GBuffer facing = MadeGBuffer(view, MadePlane({0, 0, 1}, -3));
-            const SaoPasses passes = RunSao(facing, options);
+            const SaoPictures passes = PicturesOf(facing, options);
             EXPECT_EQ(passes.raw, Image<float>(128, 96, 1.0f)) << preset.name;
             EXPECT_EQ(passes.packed, passes.raw) << preset.name;
         }
@@ -110,7 +110,8 @@ TEST_F(Sao, AFlatPlaneIsOpenExactly) {
             options.sampling.normals = normals;
             options.sampling.taps.outside = TapOutside::kBorderPoint;
             const GBuffer tilted = MadeGBuffer(view, MadePlane({0.3, -0.7, 1}, -3));
-            EXPECT_EQ(RunSao(tilted, options).raw, Image<float>(128, 96, 1.0f)) << preset.name;
+            EXPECT_EQ(PicturesOf(tilted, options).raw, Image<float>(128, 96, 1.0f))
+                << preset.name;
         }
     }
 }
@@ -122,13 +123,13 @@ TEST_F(Sao, IsTheSameInEveryUnit) {
     GBuffer large = g;
     for (float& z : large.z_m.Pixels()) z *= float(scale);
     for (const SaoPreset& preset : EveryFalloff()) {
-        const SaoPasses a = RunSao(g, preset.options);
-        const SaoPasses b = RunSao(large, InOtherUnit(preset.options, scale));
+        const SaoPictures a = PicturesOf(g, preset.options);
+        const SaoPictures b = PicturesOf(large, InOtherUnit(preset.options, scale));
         EXPECT_EQ(a.raw, b.raw) << preset.name;
         EXPECT_EQ(a.quad, b.quad) << preset.name;
         EXPECT_EQ(a.packed, b.packed) << preset.name;
         EXPECT_EQ(a.blur_y, b.blur_y) << preset.name;
-        EXPECT_NE(a.raw, RunSao(large, preset.options).raw) << preset.name;
+        EXPECT_NE(a.raw, PicturesOf(large, preset.options).raw) << preset.name;
     }
 }
 
@@ -136,9 +137,9 @@ TEST_F(Sao, HasTheSameBitsOnOneAndTwoThreads) {
     const GBuffer g = MadeGBuffer(MadeView(301, 203, 0.5, 7), Corner());
     for (const SaoPreset& preset : SaoPresets()) {
         SetThreadCount(1);
-        const SaoPasses one = RunSao(g, preset.options);
+        const SaoPictures one = PicturesOf(g, preset.options);
         SetThreadCount(2);
-        const SaoPasses two = RunSao(g, preset.options);
+        const SaoPictures two = PicturesOf(g, preset.options);
         EXPECT_EQ(one.raw, two.raw);
         EXPECT_EQ(one.quad, two.quad);
         EXPECT_EQ(one.packed, two.packed);
@@ -150,24 +151,36 @@ TEST_F(Sao, HasTheSameBitsOnOneAndTwoThreads) {
 TEST_F(Sao, APassThatIsOffHandsOnWhatItGot) {
     const GBuffer g = MadeGBuffer(MadeView(96, 64), Corner());
     SaoOptions options = SaoSupplement2012();
-    const SaoPasses all = RunSao(g, options);
+    const SaoPictures all = PicturesOf(g, options);
     EXPECT_NE(all.quad, all.raw);
     EXPECT_NE(all.packed, all.quad);
     EXPECT_NE(all.blur_x, all.packed);
     EXPECT_NE(all.blur_y, all.blur_x);
     options.quad_filter = false;
-    SaoPasses some = RunSao(g, options);
+    SaoPictures some = PicturesOf(g, options);
     EXPECT_EQ(some.raw, all.raw);
     EXPECT_EQ(some.quad, some.raw);
     options.pack_rgb8 = false;
-    some = RunSao(g, options);
+    some = PicturesOf(g, options);
     EXPECT_EQ(some.packed, some.quad);
     options.blur_x = false;
-    some = RunSao(g, options);
+    some = PicturesOf(g, options);
     EXPECT_EQ(some.blur_x, some.packed);
     EXPECT_NE(some.blur_y, some.blur_x);
     options.blur_y = false;
-    EXPECT_EQ(RunSao(g, options).blur_y, some.raw);
+    EXPECT_EQ(PicturesOf(g, options).blur_y, some.raw);
+}
+
+// Each pass that is on is told once, in the order of the text above sao_passes.h.
+TEST_F(Sao, PassesThatAreOnAreTold) {
+    const GBuffer g = MadeGBuffer(MadeView(32, 16), Corner());
+    const std::vector<std::string> all{"z pyramid", "sample", "quads",
+                                       "pack",      "blur x", "blur y"};
+    EXPECT_EQ(PicturesOf(g, SaoSupplement2012()).told, all);
+    SaoOptions options = SaoG3d10();
+    options.blur_x = false;
+    const std::vector<std::string> some{"z pyramid", "sample", "key", "blur y"};
+    EXPECT_EQ(PicturesOf(g, options).told, some);
 }
 
 // A pixel of the shown picture depends on what the filters reach and the taps meet, and nothing of
@@ -217,20 +230,22 @@ TEST_F(Sao, ExtremeOptionsHaveDefinedResults) {
         for (const double radius_m : {1e-4, 1e-2, 1e6, 1e7}) {
             SaoOptions options = preset.options;
             options.sampling.sao.radius_m = radius_m;
-            ExpectSound(RunSao(g, options), g, preset.name + " r " + std::to_string(radius_m));
+            ExpectSound(PicturesOf(g, options), g,
+                        preset.name + " r " + std::to_string(radius_m));
         }
         for (const int samples : {1, 1000, 4096}) {
             SaoOptions options = preset.options;
             options.sampling.taps.samples = samples;
             options.sampling.taps.turns = 0;
-            ExpectSound(RunSao(g, options), g, preset.name + " s " + std::to_string(samples));
+            ExpectSound(PicturesOf(g, options), g,
+                        preset.name + " s " + std::to_string(samples));
         }
         SaoOptions options = preset.options;
         options.sampling.taps.coarsest_level = 14;
         options.sampling.taps.log2_switch_px = 0;
-        ExpectSound(RunSao(g, options), g, preset.name + " 15 levels");
+        ExpectSound(PicturesOf(g, options), g, preset.name + " 15 levels");
         options.sampling.sao.intensity = 1e30;
-        ExpectSound(RunSao(g, options), g, preset.name + " intensity");
+        ExpectSound(PicturesOf(g, options), g, preset.name + " intensity");
     }
 }
 
@@ -241,15 +256,15 @@ TEST_F(Sao, ExtremeDepthsHaveDefinedResults) {
         g.z_m.Pixels()[i] = extremes[i / 3 % 6];
     }
     for (const SaoPreset& preset : EveryFalloff()) {
-        ExpectSound(RunSao(g, preset.options), g, preset.name);
+        ExpectSound(PicturesOf(g, preset.options), g, preset.name);
         SaoOptions options = preset.options;
         options.sampling.normals = NormalSource::kDepth;
-        ExpectSound(RunSao(g, options), g, preset.name + " normals from depth");
+        ExpectSound(PicturesOf(g, options), g, preset.name + " normals from depth");
         const GBuffer sky = MadeGBuffer(MadeView(9, 5), MadePlane({0, 0, 1}, 5));
-        EXPECT_EQ(RunSao(sky, options).blur_y, Image<float>(9, 5, 1.0f));
+        EXPECT_EQ(PicturesOf(sky, options).blur_y, Image<float>(9, 5, 1.0f));
         const GBuffer one = MadeGBuffer(MadeView(1, 1), MadePlane({0, 0, 1}, -2));
-        ExpectSound(RunSao(one, options), one, preset.name + " 1 x 1");
-        EXPECT_EQ(RunSao(one, options).raw(0, 0), 1);
+        ExpectSound(PicturesOf(one, options), one, preset.name + " 1 x 1");
+        EXPECT_EQ(PicturesOf(one, options).raw(0, 0), 1);
     }
 }
 
@@ -268,7 +283,7 @@ TEST_F(Sao, NormalsThatAreNoneHaveDefinedResults) {
             options.blur.normal_weight = true;
             for (const bool plane_weight : {false, true}) {
                 options.blur.plane_weight = plane_weight;
-                ExpectSound(RunSao(g, options), g, preset.name);
+                ExpectSound(PicturesOf(g, options), g, preset.name);
             }
             const ZPyramid pyramid = BuildZPyramid(g, options);
             const double A = ObscuranceOfPixel(g, pyramid, options.sampling, 16, 16);
@@ -279,7 +294,7 @@ TEST_F(Sao, NormalsThatAreNoneHaveDefinedResults) {
 
 std::string MessageOf(const GBuffer& g, const SaoOptions& options) {
     try {
-        RunSao(g, options);
+        PicturesOf(g, options);
     } catch (const Error& error) {
         return error.what();
     }

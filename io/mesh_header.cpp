@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "io/regular_file.h"
 
 namespace plumb {
 namespace {
@@ -28,7 +29,7 @@ std::size_t EndOfPlyHeader(const std::string& head) {
     return std::string::npos;
 }
 
-void CheckPly(const std::filesystem::path& path) {
+void CheckPly(const std::filesystem::path& path, std::uintmax_t size) {
     constexpr std::size_t kLongestHeader = 1 << 16;
     std::string head(kLongestHeader, '\0');
     std::ifstream in(path, std::ios::binary);
@@ -37,7 +38,6 @@ void CheckPly(const std::filesystem::path& path) {
     const std::size_t end = EndOfPlyHeader(head);
     if (end == std::string::npos) throw Error(path.string() + ": PLY header has no end");
     // Each element takes a byte at least.
-    const double size = double(std::filesystem::file_size(path));
     std::istringstream words(head.substr(0, end));
     for (std::string word, name; words >> word;) {
         double count = 0;
@@ -45,7 +45,7 @@ void CheckPly(const std::filesystem::path& path) {
             words.clear();
             continue;
         }
-        if (count > size) {
+        if (count > double(size)) {
             throw Error(MustBe(path.string() + ": element " + name, count,
                                "at most the bytes of the file"));
         }
@@ -58,8 +58,7 @@ std::uint32_t LittleEndian(std::ifstream& in) {
     return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | std::uint32_t(bytes[3]) << 24;
 }
 
-void CheckGlb(const std::filesystem::path& path) {
-    const std::uintmax_t size = std::filesystem::file_size(path);
+void CheckGlb(const std::filesystem::path& path, std::uintmax_t size) {
     std::ifstream in(path, std::ios::binary);
     in.seekg(12);
     std::uintmax_t at = 12;
@@ -77,11 +76,12 @@ void CheckGlb(const std::filesystem::path& path) {
 }  // namespace
 
 void CheckMeshHeader(const std::filesystem::path& path) {
+    const std::uintmax_t size = RegularFileSize(path);
     std::string ending = path.extension().string();
     std::ranges::transform(ending, ending.begin(),
                            [](unsigned char c) { return char(std::tolower(c)); });
-    if (ending == ".ply") CheckPly(path);
-    if (ending == ".glb") CheckGlb(path);
+    if (ending == ".ply") CheckPly(path, size);
+    if (ending == ".glb") CheckGlb(path, size);
 }
 
 }  // namespace plumb

@@ -9,13 +9,13 @@
 #include <assimp/LogStream.hpp>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 #include "core/error.h"
 #include "io/mesh_header.h"
 #include "io/mesh_materials.h"
-#include "io/survives.h"
+#include "io/regular_file.h"
+#include "io/try_in_child.h"
 
 namespace plumb {
 namespace {
@@ -186,31 +186,31 @@ class Converter {
     MeshFile out_;
 };
 
-}  // namespace
+// What reading a whole file may take: a gibibyte and 64 bytes for each of its own, ten seconds and
+// one for each of its mebibytes. glTF's numbers are in files beside it.
+ChildLimits LimitsFor(const std::filesystem::path& path) {
+    std::uintmax_t bytes = RegularFileSize(path);
+    std::error_code ignored;
+    for (const auto& beside :
+         std::filesystem::directory_iterator(path.parent_path() / ".", ignored)) {
+        std::error_code no_size;
+        const std::uintmax_t size = beside.path().extension() == ".bin"
+                                        ? std::filesystem::file_size(beside.path(), no_size)
+                                        : 0;
+        if (!no_size) bytes += size;
+    }
+    const double mebibytes = double(bytes) / (1 << 20);
+    ChildLimits limits;
+    limits.memory_bytes += 64 * bytes;
+    limits.cpu_s += mebibytes;
+    limits.clock_s += 2 * mebibytes;
+    return limits;
+}
 
-MeshFile ReadMesh(const std::filesystem::path& path, const MeshFileOptions& options) {
+MeshFile ReadByAssimp(const std::filesystem::path& path, const MeshFileOptions& options) {
     const std::string file = path.string();
-    if (!(options.unit_m > 0 && std::isfinite(options.unit_m))) {
-        throw Error(MustBe(file + ": unit_m", options.unit_m, "> 0"));
-    }
-    if (std::ifstream probe(path, std::ios::binary);
-        !probe || std::filesystem::is_directory(path)) {
-        throw Error(file + ": cannot be read");
-    }
-    CheckMeshHeader(path);
     try {
         const Warnings warnings;
-        // Everything that asks assimp for something; pictures are not its business.
-        const auto try_all = [&] {
-            MeshFileOptions without_textures = options;
-            without_textures.textures = false;
-            Assimp::Importer importer;
-            const aiScene* scene = Parse(importer, file);
-            if (scene) Converter(path, without_textures).Convert(*scene);
-        };
-        if (!Survives(try_all)) {
-            throw Error(file + ": is damaged: its reader breaks down over it");
-        }
         Assimp::Importer importer;
         const aiScene* scene = Parse(importer, file);
         if (!scene) throw Error(file + ": " + importer.GetErrorString());
@@ -225,10 +225,52 @@ MeshFile ReadMesh(const std::filesystem::path& path, const MeshFileOptions& opti
         return read;
     } catch (const Error&) {
         throw;
+    } catch (const MachineError&) {
+        throw;
     } catch (const std::bad_alloc&) {
-        throw MachineError(file + ": out of memory");
+        throw;
     } catch (const std::exception& error) {  // Some readers of assimp throw what they like.
         throw Error(file + ": " + error.what());
+    }
+}
+
+// Tries it in a child; pictures are not assimp's business.
+void CheckThatItEndsWell(const std::filesystem::path& path, MeshFileOptions options) {
+    const ChildLimits limits = LimitsFor(path);
+    options.textures = false;
+    const ChildEnd end = TryInChild([&] { ReadByAssimp(path, options); }, limits);
+    const std::string file = path.string();
+    switch (end.kind) {
+        case ChildEnd::Kind::kDone:
+            return;
+        case ChildEnd::Kind::kThrew:
+            throw Error(end.what);
+        case ChildEnd::Kind::kCrashed:
+            throw Error(file + ": is damaged: its reader breaks down over it");
+        case ChildEnd::Kind::kTooMuchMemory:
+            throw Error(file + ": is damaged: reading it takes more than " +
+                        std::to_string(limits.memory_bytes >> 20) +
+                        " MiB, which no whole file of its size does");
+        case ChildEnd::Kind::kTooLong:
+            throw Error(file +
+                        ": is damaged, or waits for what it refers to: reading it takes more "
+                        "than " +
+                        std::to_string(int(limits.cpu_s)) + " s");
+    }
+}
+
+}  // namespace
+
+MeshFile ReadMesh(const std::filesystem::path& path, const MeshFileOptions& options) {
+    if (!(options.unit_m > 0 && std::isfinite(options.unit_m))) {
+        throw Error(MustBe(path.string() + ": unit_m", options.unit_m, "> 0"));
+    }
+    CheckMeshHeader(path);
+    try {
+        CheckThatItEndsWell(path, options);
+        return ReadByAssimp(path, options);
+    } catch (const std::bad_alloc&) {
+        throw MachineError(path.string() + ": out of memory");
     }
 }
 

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/names.h"
 #include "io/json_file.h"
+#include "io/regular_file.h"
 
 namespace plumb {
 namespace {
@@ -51,7 +52,7 @@ std::filesystem::path SideFilePath(const std::filesystem::path& image) {
 SideFile ReadSideFile(const std::filesystem::path& image) {
     const std::filesystem::path path = SideFilePath(image);
     SideFile side;
-    if (!std::filesystem::exists(path)) return side;
+    if (!IsThere(path)) return side;
     const nlohmann::ordered_json json = ReadJsonFile(path);
     JsonFields fields(json, path.string());
     side.name = fields.Text("name");

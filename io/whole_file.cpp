@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "io/regular_file.h"
 
 namespace plumb {
 namespace fs = std::filesystem;
@@ -23,6 +24,7 @@ namespace {
 class Descriptor {
   public:
     Descriptor(const fs::path& path, int flags) : fd_(open(path.c_str(), flags, 0666)) {}
+    explicit Descriptor(int fd) : fd_(fd) {}
     ~Descriptor() {
         if (fd_ >= 0) close(fd_);
     }
@@ -77,12 +79,16 @@ class PartFile {
 
   private:
     static fs::path FreeName(const fs::path& target) {
+        // A name may have 255 bytes: what is appended must not be what makes it too long.
+        constexpr std::size_t kMostOfName = 200;
         static std::atomic<int> serial = 0;
+        const std::string name = target.filename().string().substr(0, kMostOfName);
         fs::path part = target;
+        std::error_code ignored;
         do {
-            part.replace_filename(target.filename().string() + ".part" +
-                                  std::to_string(getpid()) + "-" + std::to_string(++serial));
-        } while (fs::exists(part));
+            part.replace_filename(name + ".part" + std::to_string(getpid()) + "-" +
+                                  std::to_string(++serial));
+        } while (fs::exists(part, ignored));
         return part;
     }
 
@@ -93,14 +99,15 @@ class PartFile {
 /// The file that `path` means: links followed, folders made.
 fs::path Target(const fs::path& path) {
     if (path.filename().empty()) throw MachineError(path.string() + ": names no file");
-    try {
-        const fs::path target = fs::weakly_canonical(fs::absolute(path));
-        fs::create_directories(target.parent_path());
-        return target;
-    } catch (const fs::filesystem_error& error) {
-        throw MachineError(path.string() +
-                           ": cannot make its folder: " + error.code().message());
+    std::error_code error;
+    const fs::path absolute = fs::absolute(path, error);
+    fs::path target;
+    if (!error) target = fs::weakly_canonical(absolute, error);
+    if (!error) fs::create_directories(target.parent_path(), error);
+    if (error) {
+        throw MachineError(path.string() + ": cannot make its folder: " + error.message());
     }
+    return target;
 }
 
 bool IsDeviceOrPipe(const fs::path& target) {
@@ -123,11 +130,7 @@ void WriteWholeFile(const fs::path& path, std::string_view bytes) {
 }
 
 std::string ReadWholeFile(const fs::path& path) {
-    const auto fail = [&](const std::string& what) -> void {
-        throw Error(path.string() + ": cannot be read: " + what);
-    };
-    const Descriptor file(path, O_RDONLY | O_CLOEXEC);
-    if (!file.IsOpen()) fail(std::strerror(errno));
+    const Descriptor file(OpenRegularFile(path));
     std::string bytes;
     std::string block(1 << 16, '\0');
     for (ssize_t n = 1; n > 0;) {
@@ -136,7 +139,7 @@ std::string ReadWholeFile(const fs::path& path) {
             n = 1;
             continue;
         }
-        if (n < 0) fail(std::strerror(errno));
+        if (n < 0) throw Error(path.string() + ": cannot be read: " + std::strerror(errno));
         bytes.append(block.data(), std::size_t(n));
     }
     return bytes;

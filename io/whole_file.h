@@ -19,7 +19,8 @@ namespace plumb {
 /// Replaces `path` by `bytes`. Throws MachineError naming the path and what the system said.
 void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes);
 
-/// All bytes of a file. Throws Error naming the file if it is missing or cannot be read.
+/// All bytes of a regular file. Throws Error naming the file if it is missing, cannot be read or
+/// is a folder, a pipe or a device.
 std::string ReadWholeFile(const std::filesystem::path& path);
 
 }  // namespace plumb

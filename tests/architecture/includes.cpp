@@ -30,7 +30,8 @@ const std::vector<Library> kLibraries{
     {"oneapi/tbb/", {"core"}, {}},
     {"CLI/", {"app"}, {"app"}},  // nobody includes app/, so it goes no further
     // Of the system: files, terminals and signals. Kernels know none of them.
-    {"fcntl.h", {"io"}, {}},
+    {"fcntl.h", {"io", "app"}, {}},
+    {"poll.h", {"io"}, {}},
     {"sys/", {"io", "app"}, {}},
     {"unistd.h", {"io", "app"}, {}},
     {"xmmintrin.h", {"truth"}, {}},  // Embree's users are to flush denormals to zero

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -14,8 +15,10 @@ class TempFolder : public testing::Test {
   protected:
     TempFolder() {
         const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        std::string name = info->name();
+        std::replace(name.begin(), name.end(), '/', '_');  // "Case/3" of a table of cases.
         folder_ = std::filesystem::temp_directory_path() /
-                  ("plumb_io_" + std::to_string(getpid()) + "_" + info->name());
+                  ("plumb_io_" + std::to_string(getpid()) + "_" + name);
         std::filesystem::create_directories(folder_);
     }
     ~TempFolder() override { std::filesystem::remove_all(folder_); }

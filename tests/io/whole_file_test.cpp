@@ -117,7 +117,7 @@ TEST_F(WholeFile, ReadingNamesTheFileAndTheReason) {
     EXPECT_EQ(MessageOf<Error>([&] { ReadWholeFile(Path("none.txt")); }),
               Path("none.txt").string() + ": cannot be read: No such file or directory");
     EXPECT_EQ(MessageOf<Error>([&] { ReadWholeFile(folder_); }),
-              folder_.string() + ": cannot be read: Is a directory");
+              folder_.string() + ": cannot be read: is a folder, must be a regular file");
 }
 
 }  // namespace

@@ -122,6 +122,23 @@ void CheckPngIsWhole(const std::filesystem::path& path, std::string_view bytes) 
     }
 }
 
+void CheckPngHoldsItsPixels(const std::string& name, std::string_view bytes) {
+    constexpr double kMostExpansion = 1032;  // Of a deflate stream (zlib, Technical Details).
+    // [PNG] 11.2.2: after the mark, length and type of IHDR width, height, bit depth, colour type.
+    if (bytes.size() < 33) throw Error(name + ": is truncated, must have the header of a PNG");
+    const std::uint32_t width = BigEndian(bytes.substr(16)),
+                        height = BigEndian(bytes.substr(20));
+    const double bits = std::uint8_t(bytes[24]);
+    const int type = bytes[25];
+    const double channels = type == 2 ? 3 : type == 4 ? 2 : type == 6 ? 4 : 1;
+    const double needed = double(width) * double(height) * bits * channels / 8 / kMostExpansion;
+    if (double(bytes.size()) < needed) {
+        throw Error(name + ": is damaged, " + std::to_string(bytes.size()) +
+                    " bytes cannot hold the " + std::to_string(width) + " x " +
+                    std::to_string(height) + " pixels of its header");
+    }
+}
+
 void CheckImageSize(const std::string& name, std::int64_t width, std::int64_t height,
                     std::int64_t channels, std::int64_t max_numbers) {
     const std::string size = std::to_string(width) + " x " + std::to_string(height) +

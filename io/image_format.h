@@ -22,6 +22,10 @@ ImageFormat CheckImageFormat(const std::filesystem::path& path, std::string_view
 /// the end mark: decoders accept a file that lost its tail.
 void CheckPngIsWhole(const std::filesystem::path& path, std::string_view bytes);
 
+/// Throws Error if `bytes`, whole chunks, are too few for the pixels that their header claims,
+/// however well they are compressed: decoders take seconds and gigabytes to find out.
+void CheckPngHoldsItsPixels(const std::string& name, std::string_view bytes);
+
 /// Throws Error naming the size and the limit if an image is empty or would have more numbers
 /// than `max_numbers`: before memory is taken for it.
 void CheckImageSize(const std::string& name, std::int64_t width, std::int64_t height,

@@ -90,6 +90,7 @@ Picture Decode(std::string_view bytes, const std::string& name, PictureOf of,
     if (!input) throw Error(name + ": cannot be read: " + FirstLine(OIIO::geterror()));
     const OIIO::ImageSpec spec = input->spec();
     CheckImageSize(name, spec.width, spec.height, spec.nchannels, max_numbers);
+    if (format == "png") CheckPngHoldsItsPixels(name, bytes);
     if (spec.deep || spec.depth > 1) {
         throw Error(name + ": is a deep image or a volume, must be flat");
     }

@@ -61,13 +61,15 @@ std::unique_ptr<OIIO::ImageInput> Open(const std::filesystem::path& path) {
     return input;
 }
 
-StoredImage Read(const std::filesystem::path& path, std::int64_t max_numbers) {
+StoredImage Read(const std::filesystem::path& path, std::string_view bytes, ImageFormat format,
+                 std::int64_t max_numbers) {
     const auto input = Open(path);
     const OIIO::ImageSpec& spec = input->spec();
     CheckImageSize(path.string(), spec.width, spec.height, spec.nchannels, max_numbers);
     if (spec.get_int_attribute("oiio:subimages", 1) > 1) {
         throw Error(path.string() + ": holds several images (parts), must hold one");
     }
+    if (format == ImageFormat::kPng) CheckPngHoldsItsPixels(path.string(), bytes);
     if (spec.deep || spec.depth > 1) {
         throw Error(path.string() + ": is a deep image or a volume, must be flat");
     }
@@ -118,7 +120,7 @@ StoredImage ReadStoredImage(const std::filesystem::path& path, std::int64_t max_
     if (format == ImageFormat::kPfm) return ParsePfm(bytes, path.string(), max_numbers);
     if (format == ImageFormat::kTiff) return ReadTiffImage(path, max_numbers);
     if (format == ImageFormat::kPng) CheckPngIsWhole(path, bytes);
-    StoredImage image = Read(path, max_numbers);
+    StoredImage image = Read(path, bytes, format, max_numbers);
     if (format == ImageFormat::kPng) UndoScalingToEightBits(image, PngBits(bytes));
     return image;
 }

@@ -164,6 +164,21 @@ TEST_F(Stored, SeveralPartsAreRefused) {
               Path("two.exr").string() + ": holds several images (parts), must hold one");
 }
 
+// A deflate stream grows at most 1032 times: 16384^2 bytes need 260111 of a file.
+TEST_F(Stored, APngTooShortForItsPixelsIsRefusedByItsHeader) {
+    WriteStored<std::uint8_t>(Path("a.png"), 4, 4, {"Y"}, std::vector<std::uint8_t>(16));
+    std::string png = Get("a.png");
+    png.replace(16, 8, BigEndian(16384) + BigEndian(16384));
+    png.replace(29, 4, BigEndian(PngCrc(png.substr(12, 17))));
+    EXPECT_EQ(MessageOf<Error>([&] { ReadStoredImage(Put("short.png", png)); }),
+              Path("short.png").string() + ": is damaged, " + std::to_string(png.size()) +
+                  " bytes cannot hold the 16384 x 16384 pixels of its header");
+    // Zeros take the least that there is: they must pass.
+    WriteStored<std::uint8_t>(Path("zeros.png"), 1024, 1024, {"Y"},
+                              std::vector<std::uint8_t>(1024 * 1024));
+    EXPECT_EQ(ReadStoredImage(Path("zeros.png")).Width(), 1024);
+}
+
 TEST_F(Stored, ReadsPfmToo) {
     // 1.0f in little-endian bytes.
     Put("a.pfm", std::string("Pf\n1 1\n-1\n") + std::string("\0\0\x80\x3f", 4));

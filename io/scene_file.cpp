@@ -28,8 +28,7 @@ constexpr NumberRule kSamples{"a whole number in [1, 4096]", [](double x) {
 
 class Reader {
   public:
-    explicit Reader(const std::filesystem::path& path)
-        : path_(path), file_(path.filename().string()) {}
+    explicit Reader(const std::filesystem::path& path) : path_(path), file_(path.string()) {}
 
     SceneFile Read() {
         const Json json = ReadJsonFile(path_);
@@ -72,6 +71,18 @@ class Reader {
         return numbers;
     }
 
+    // What goes wrong with another file says also which field asked for it.
+    template <class F>
+    static auto AskedFor(const std::string& field, const F& read) {
+        try {
+            return read();
+        } catch (const Error& error) {
+            throw Error(field + ": " + error.what());
+        } catch (const MachineError& error) {
+            throw MachineError(field + ": " + error.what());
+        }
+    }
+
     static Vec3 NeedVector(JsonFields& fields, const char* field) {
         const auto x = Three(fields, field, fields.NeedNumbers(field, kFinite));
         return {x[0], x[1], x[2]};
@@ -111,6 +122,7 @@ class Reader {
     void ReadHeightsEntry(JsonFields& fields) {
         HeightsEntry entry;
         entry.name = fields.NeedText("file");
+        entry.asked_by = fields.NameOf("file");
         if (!entry.name.starts_with("make:")) {
             const std::filesystem::path map = path_.parent_path() / entry.name;
             entry.name = map.string();
@@ -138,9 +150,9 @@ class Reader {
         if (options.alpha_tested.value_or(false) && !options.textures) {
             throw Error(fields.NameOf("alpha_tested") + " without textures, must have them");
         }
-        MeshFile read = ReadMesh(mesh_path, options);
         out_.files.push_back(mesh_path);
-        Append(std::move(read), albedo);
+        Append(AskedFor(fields.NameOf("file"), [&] { return ReadMesh(mesh_path, options); }),
+               albedo);
     }
 
     void Append(MeshFile read, const std::optional<Rgb>& albedo) {
@@ -188,7 +200,11 @@ class Reader {
         }
         const auto picture = fields.Text("environment");
         const auto turn_deg = fields.Number("environment_turn_deg", kFinite);
-        if (picture) ReadEnvironment(path_.parent_path() / *picture, light.environment);
+        if (picture) {
+            AskedFor(fields.NameOf("environment"), [&] {
+                ReadEnvironment(path_.parent_path() / *picture, light.environment);
+            });
+        }
         if (turn_deg && !picture) {
             throw Error(fields.NameOf("environment_turn_deg") +
                         " without environment, must have one");

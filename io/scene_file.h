@@ -16,6 +16,7 @@ namespace plumb {
 /// A height map as a surface: x, y from texel (0, 0), +z up.
 struct HeightsEntry {
     std::string name;                   ///< Path of the map, or "make:KIND[:SIZE[:SEED]]".
+    std::string asked_by;               ///< The field that names it, for errors.
     Rgb albedo{0.8f, 0.8f, 0.8f};       ///< [0, 1]
     std::optional<double> amplitude_m;  ///< Over what the map's own files say. >= 0
     int tiles = 1;  ///< A map that repeats is repeated so often to each side. [0, 16]

@@ -100,7 +100,13 @@ LoadedScene LoadScene(const std::string& name) {
         loaded.scene = std::move(file.scene);
         loaded.notes = std::move(file.notes);
         loaded.techniques = std::move(file.techniques);
-        for (const HeightsEntry& entry : file.heights) AddHeights(entry, loaded.scene);
+        for (const HeightsEntry& entry : file.heights) {
+            try {
+                AddHeights(entry, loaded.scene);
+            } catch (const Error& error) {
+                throw Error(entry.asked_by + ": " + error.what());
+            }
+        }
         if (!file.generator.empty()) {
             Scene made = SceneKindNamed(file.generator).make();
             made.name = loaded.scene.name;

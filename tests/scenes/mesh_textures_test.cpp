@@ -217,9 +217,11 @@ TEST_F(MeshTextures, FieldsThatContradictAreRefused) {
         });
     };
     EXPECT_EQ(complaint(R"("albedo": [1, 1, 1], "textures": true)"),
-              "scene.json: meshes[0].albedo and textures: must be only one of them");
+              Path("scene.json").string() +
+                  ": meshes[0].albedo and textures: must be only one of them");
     EXPECT_EQ(complaint(R"("textures": false, "alpha_tested": true)"),
-              "scene.json: meshes[0].alpha_tested without textures, must have them");
+              Path("scene.json").string() +
+                  ": meshes[0].alpha_tested without textures, must have them");
     EXPECT_THAT(complaint(R"("alpha_tested": 1)"), HasSubstr("must be true or false"));
 }
 

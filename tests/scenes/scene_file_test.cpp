@@ -148,7 +148,7 @@ TEST_F(SceneFiles, ReadSkiesAndHeights) {
     EXPECT_EQ(file.heights[1].name, "make:bricks:32");
     EXPECT_EQ(file.heights[1].tiles, 1);
     EXPECT_EQ(Complaint(R"({"generator": "a", "environment": "gone.exr"})"),
-              "gone.exr: cannot be read: No such file or directory");
+              "scene.json: environment: gone.exr: cannot be read: No such file or directory");
     EXPECT_EQ(Complaint(R"({"generator": "a", "environment_turn_deg": 1})"),
               "scene.json: environment_turn_deg without environment, must have one");
     EXPECT_EQ(Complaint(R"({"heights": [{"file": "a.png", "tiles": 17}]})"),
@@ -198,7 +198,9 @@ TEST_F(SceneFiles, NameWhatIsWrong) {
     EXPECT_EQ(Complaint(R"({"name": "x"})"),
               "scene.json: must have either generator, or meshes or heights");
     EXPECT_EQ(Complaint(R"({"meshes": []})"), "scene.json: meshes is empty");
-    EXPECT_EQ(Complaint(R"({"meshes": [{"file": "gone.obj"}]})"), "gone.obj: cannot be read");
+    EXPECT_EQ(
+        Complaint(R"({"meshes": [{"file": "gone.obj"}]})"),
+        "scene.json: meshes[0].file: gone.obj: cannot be read: No such file or directory");
     EXPECT_EQ(Complaint(R"({"generator": "a", "sky": [1, 2]})"),
               "scene.json: sky has 2 numbers, must have 3");
     EXPECT_NE(Complaint(R"({"generator": "a", "sky": [1, 2, -3]})").find("must be >= 0"),
@@ -208,6 +210,7 @@ TEST_F(SceneFiles, NameWhatIsWrong) {
 }
 
 TEST_F(SceneFiles, RefuseBadMeshes) {
+    const std::string mesh = "scene.json: meshes[0].file: ";
     const auto complaint = [&](const std::string& name, const std::string& text) {
         Write(name, text);
         return Complaint(R"({"meshes": [{"file": ")" + name + R"("}]})");
@@ -230,23 +233,25 @@ TEST_F(SceneFiles, RefuseBadMeshes) {
         "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
     const auto breaks_down = [&](const std::string& name, const std::string& text) {
-        EXPECT_EQ(complaint(name, text), name + ": is damaged: its reader breaks down over it");
+        EXPECT_EQ(complaint(name, text),
+                  mesh + name + ": is damaged: its reader breaks down over it");
     };
     breaks_down("few.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     breaks_down("none.ply", "ply\nformat ascii 1.0\n" + head + "0 0 0\n1 0 0\n0 1 0\n0\n");
     breaks_down("short.ply", "ply\nformat binary_little_endian 1.0\n" + head +
                                  std::string(36, '\0') + "\xff");
-    EXPECT_EQ(
-        complaint("long.glb",
-                  std::string("glTF\2\0\0\0\x20\0\0\0\xf0\xff\xff\xffJSON{ }     ", 28)),
-        "long.glb: is cut off or damaged: a chunk of 4294967280 bytes ends beyond the file");
+    EXPECT_EQ(complaint("long.glb",
+                        std::string("glTF\2\0\0\0\x20\0\0\0\xf0\xff\xff\xffJSON{ }     ", 28)),
+              mesh +
+                  "long.glb: is cut off or damaged: a chunk of 4294967280 bytes ends beyond "
+                  "the file");
     EXPECT_EQ(
         complaint("many.ply", "ply\nformat ascii 1.0\nelement vertex 2147483648\n" + head),
-        "many.ply: element vertex = 2147483648, must be at most the bytes of the file");
+        mesh + "many.ply: element vertex = 2147483648, must be at most the bytes of the file");
     const std::string vertices = "ply\nformat ascii 1.0\nelement vertex 3\n";
     for (const char* no_end : {"property float xend_header\n", "end_headerx\n", "end_header"}) {
         EXPECT_EQ(complaint("endless.ply", vertices + no_end),
-                  "endless.ply: PLY header has no end");
+                  mesh + "endless.ply: PLY header has no end");
     }
     EXPECT_THROW(ReadMesh(folder_), Error);
     Write("square.obj", kObj);

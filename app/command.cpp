@@ -1,15 +1,19 @@
 #include "app/command.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <mutex>
 #include <vector>
 
+#include "core/error.h"
 #include "core/parallel.h"
 
 namespace plumb::app {
@@ -64,6 +68,28 @@ class TerminalMonitor : public Monitor {
     double begin_s_ = 0, drawn_s_ = 0, done_ = 0;
 };
 
+// Before hours of work, not after them: a folder that nothing can be written to. Makes nothing.
+void CheckOut(const std::filesystem::path& out) {
+    if (out.empty()) throw Error("--out is empty, must name a folder");
+    std::error_code error;
+    std::filesystem::path there = std::filesystem::absolute(out, error);
+    // The first of the path that is there: the rest is made when there are results.
+    struct stat found {};
+    while (stat(there.c_str(), &found) != 0) {
+        if (errno != ENOENT || !there.has_relative_path()) {
+            throw MachineError("--out " + out.string() + ": " + std::strerror(errno));
+        }
+        there = there.parent_path();
+    }
+    if (!S_ISDIR(found.st_mode)) {
+        throw MachineError("--out " + out.string() + ": " + there.string() + " is no folder");
+    }
+    if (access(there.c_str(), W_OK | X_OK) != 0) {
+        throw MachineError("--out " + out.string() + ": " + there.string() + ": " +
+                           std::strerror(errno));
+    }
+}
+
 std::string& TheCommandLine() {
     static std::string text;
     return text;
@@ -98,6 +124,7 @@ void AddCommon(CLI::App& command, Common& common) {
 }
 
 std::unique_ptr<Monitor> MakeMonitor(const Common& common) {
+    CheckOut(common.out);
     SetThreadCount(common.threads);
     return std::make_unique<TerminalMonitor>(!common.quiet && isatty(STDERR_FILENO));
 }

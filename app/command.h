@@ -23,7 +23,8 @@ struct Common {
 /// Declares --out, --threads, --seed, --quiet and --json.
 void AddCommon(CLI::App& command, Common& common);
 
-/// A progress line with the time that is left, on a terminal only; learns of Ctrl-C.
+/// A progress line with the time that is left, on a terminal only; learns of Ctrl-C. Sets the
+/// number of threads. Throws Error or MachineError if --out is empty or cannot be written to.
 std::unique_ptr<Monitor> MakeMonitor(const Common& common);
 
 /// Seconds of the steady clock.

@@ -4,12 +4,28 @@
 // interrupted. Nothing below main() decides about it.
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <new>
 
 #include "app/command.h"
+#include "app/flag_names.h"
+#include "app/process.h"
 #include "core/error.h"
 
-int main(int argc, char** argv) {
+namespace plumb::app {
+namespace {
+
+// The status of --help and of what the parser refuses.
+int Parse(CLI::App& program, int argc, char** argv) {
+    try {
+        program.parse(argc, argv);
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? 0 : 2;
+    } catch (const Error& error) {
+        throw Error(InFlags(error.what(), program));
+    }
+}
+
+int Run(int argc, char** argv) {
     CLI::App program{
         "plumb holds the approximations of real-time rendering against a path-traced truth,\n"
         "says how wrong each step is and what it costs, and refits its constants."};
@@ -21,29 +37,26 @@ int main(int argc, char** argv) {
         "make:stone_wall:256. Try: plumb fit make:stone_wall make:bricks make:cobbles\n"
         "Exit status: 0 done, 1 a check failed, 2 bad input, 3 disk or memory, 130 "
         "interrupted.");
-    plumb::app::RememberCommandLine(argc, argv);
-    plumb::app::AddFit(program);
-    plumb::app::AddSimulate(program);
-    plumb::app::AddTruth(program);
-    plumb::app::AddRender(program);
-    plumb::app::AddReport(program);
-    plumb::app::AddBench(program);
+    RememberCommandLine(argc, argv);
+    AddFit(program);
+    AddSimulate(program);
+    AddTruth(program);
+    AddRender(program);
+    AddReport(program);
+    AddBench(program);
+    const int status = Parse(program, argc, argv);
+    FlushOutput();
+    return status;
+}
+
+}  // namespace
+}  // namespace plumb::app
+
+int main(int argc, char** argv) {
+    plumb::app::PrepareProcess();
     try {
-        program.parse(argc, argv);
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? 0 : 2;
-    } catch (const plumb::Error& error) {
-        std::cerr << "plumb: " << error.what() << "\n";
-        return 2;
-    } catch (const plumb::MachineError& error) {
-        std::cerr << "plumb: " << error.what() << "\n";
-        return 3;
-    } catch (const std::bad_alloc&) {
-        std::cerr << "plumb: out of memory\n";
-        return 3;
-    } catch (const plumb::Interrupted&) {
-        std::cerr << "plumb: interrupted\n";
-        return 130;
+        return plumb::app::Run(argc, argv);
+    } catch (...) {
+        return plumb::app::StatusOfException();
     }
 }

@@ -9,17 +9,17 @@ small=(--width 64 --height 36)
 for command in render report; do
   refused 'missing.json' "$plumb" $command missing.json
   refused 'nothing_such' "$plumb" $command make:nothing_such
-  refused 'radius_m = 0, must be in (0, infinity)' "$plumb" $command wedge "${small[@]}" --radius 0
-  refused 'radius_m = -1, must be in' "$plumb" $command wedge "${small[@]}" --radius -1
-  refused 'radius_m = nan, must be in' "$plumb" $command wedge "${small[@]}" --radius nan
+  refused '--radius = 0, must be in (0, infinity)' "$plumb" $command wedge "${small[@]}" --radius 0
+  refused '--radius = -1, must be in' "$plumb" $command wedge "${small[@]}" --radius -1
+  refused '--radius = nan, must be in' "$plumb" $command wedge "${small[@]}" --radius nan
   refused 'technique = ssao, must be one of' "$plumb" $command wedge "${small[@]}" --technique ssao
   refused 'back' "$plumb" $command wedge "${small[@]}" --camera back
   refused '--width' "$plumb" $command wedge --width 0
   refused '--height' "$plumb" $command wedge --height 100000
   refused '--guard' "$plumb" $command wedge --guard 5000
 done
-refused 'samples = 5000, must be in [0, 4096]' "$plumb" render wedge "${small[@]}" --samples 5000
-refused 'samples = -1, must be in [0, 4096]' "$plumb" render wedge "${small[@]}" --samples -1
+refused '--samples = 5000, must be in [0, 4096]' "$plumb" render wedge "${small[@]}" --samples 5000
+refused '--samples = -1, must be in [0, 4096]' "$plumb" render wedge "${small[@]}" --samples -1
 refused 'a power of two' "$plumb" report wedge "${small[@]}" --spp 100
 refused 'best' "$plumb" report wedge "${small[@]}" --budget best
 refused '--rounds' "$plumb" report wedge "${small[@]}" --rounds 0

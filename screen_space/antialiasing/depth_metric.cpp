@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "screen_space/antialiasing/metric_rows.h"
 #include "screen_space/antialiasing/windows.h"
 
 namespace plumb {
@@ -29,6 +30,17 @@ double StableVariance(std::span<const float> d) {
     for (const float of : d) sum += of;
     for (const float of : d) squares += (of - sum / n) * (of - sum / n);
     return squares / n;
+}
+
+void PrintedRow(const DepthMetric& metric, const Image<float>& z_m, int m, int y,
+                Image<float>& k_d) {
+    std::array<float, kMaxSamples> d;
+    const std::size_t n = std::size_t(m) * m;
+    for (int x = 0; x < k_d.Width(); ++x) {
+        ReadWindow(z_m, m, x, y, d);
+        for (std::size_t i = 0; i < n; ++i) d[i] = EncodedDepth(metric, d[i]);
+        k_d(x, y) = float(std::max(0.0, metric.c * PrintedVariance({d.data(), n})));
+    }
 }
 
 }  // namespace
@@ -75,14 +87,11 @@ Image<float> DepthSamples(const Image<float>& z_m, int m, const DepthMetric& met
     CheckWindows(m, z_m.Width(), z_m.Height(), "size of the enlarged depths");
     Image<float> k_d(z_m.Width() / m, z_m.Height() / m);
     ParallelFor(k_d.Height(), kRowsAtATime, [&](std::int64_t begin, std::int64_t end) {
-        std::array<float, kMaxSamples> d;
-        const std::size_t n = std::size_t(m) * m;
-        for (int y = int(begin); y < int(end); ++y) {
-            for (int x = 0; x < k_d.Width(); ++x) {
-                ReadWindow(z_m, m, x, y, d);
-                for (std::size_t i = 0; i < n; ++i) d[i] = EncodedDepth(metric, d[i]);
-                const double k = metric.c * WindowVariance(metric.form, {d.data(), n});
-                k_d(x, y) = float(std::max(0.0, k));
+        for (int y = int(begin); y < int(end) && k_d.Width() > 0; ++y) {
+            if (metric.form == MetricForm::kStable) {
+                DepthRow(metric, z_m, m, y, &k_d(0, y));
+            } else {
+                PrintedRow(metric, z_m, m, y, k_d);
             }
         }
     });

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "screen_space/antialiasing/metric_rows.h"
 #include "screen_space/antialiasing/windows.h"
 
 namespace plumb {
@@ -23,11 +24,16 @@ double PrintedGap(std::span<const Vec3f> normals, MeanNormal mean) {
     return 1 - least;
 }
 
+// In the order in which screen_space/antialiasing/metric_rows.cpp adds.
+double Dot(const Vec3& a, const Vec3& b) {
+    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
 double StableGap(std::span<const Vec3f> normals, MeanNormal mean) {
     Vec3 sum(0, 0, 0);
     for (const Vec3f& n : normals) sum += n.cast<double>();
     Vec3 n_mean = sum / double(normals.size());
-    const double length = n_mean.norm();
+    const double length = std::sqrt(Dot(n_mean, n_mean));
     if (!(length > 0)) return 1;
     if (mean == MeanNormal::kUnit) n_mean /= length;
     double most = 0;
@@ -35,14 +41,24 @@ double StableGap(std::span<const Vec3f> normals, MeanNormal mean) {
         const Vec3 n = of.cast<double>();
         if (n.isZero(0)) return 1;
         if (mean == MeanNormal::kUnit) {
-            most = std::max(
-                most, std::min((n_mean - n).squaredNorm(), (n_mean + n).squaredNorm()) / 2);
+            const Vec3 apart = n_mean - n, together = n_mean + n;
+            most = std::max(most, std::min(Dot(apart, apart), Dot(together, together)) / 2);
         } else {
-            const double less = (n - n_mean).dot(n);  // 1 - <n_mean, n>
+            const double less = Dot(n - n_mean, n);  // 1 - <n_mean, n>
             most = std::max(most, std::min(less, 2 - less));
         }
     }
     return most;
+}
+
+void PrintedRow(const NormalMetric& metric, const Image<Vec3f>& normals, int m, int y,
+                Image<float>& k_n) {
+    std::array<Vec3f, kMaxSamples> n;
+    for (int x = 0; x < k_n.Width(); ++x) {
+        ReadWindow(normals, m, x, y, n);
+        k_n(x, y) = float(metric.c * NormalSpread({n.data(), std::size_t(m) * m}, metric.mean,
+                                                  MetricForm::kPrinted));
+    }
 }
 
 }  // namespace
@@ -68,12 +84,11 @@ Image<float> NormalSamples(const Image<Vec3f>& normals, int m, const NormalMetri
     CheckWindows(m, normals.Width(), normals.Height(), "size of the enlarged normals");
     Image<float> k_n(normals.Width() / m, normals.Height() / m);
     ParallelFor(k_n.Height(), kRowsAtATime, [&](std::int64_t begin, std::int64_t end) {
-        std::array<Vec3f, kMaxSamples> n;
-        for (int y = int(begin); y < int(end); ++y) {
-            for (int x = 0; x < k_n.Width(); ++x) {
-                ReadWindow(normals, m, x, y, n);
-                k_n(x, y) = float(metric.c * NormalSpread({n.data(), std::size_t(m) * m},
-                                                          metric.mean, metric.form));
+        for (int y = int(begin); y < int(end) && k_n.Width() > 0; ++y) {
+            if (metric.form == MetricForm::kStable) {
+                NormalRow(metric, normals, m, y, &k_n(0, y));
+            } else {
+                PrintedRow(metric, normals, m, y, k_n);
             }
         }
     });

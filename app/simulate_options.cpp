@@ -12,6 +12,11 @@ void AddSimulateOptions(CLI::App& command, SimulateOptions& o) {
     command.add_option("--slices", o.settings.slices.slices, "Slices a facet, in [4, 65536]")
         ->capture_default_str();
     command
+        .add_option("--cut-texels", o.settings.cut.extent_texels,
+                    "Steep facets are cut into at most 8 strips, this high where fewer do, on "
+                    "which light is constant; 0 = none is cut")
+        ->capture_default_str();
+    command
         .add_option("--rays", o.rays,
                     "Rays a facet, in [1, 1048576]; powers of two spread best")
         ->capture_default_str();
@@ -54,6 +59,7 @@ SimulateSettings SettingsOf(const SimulateOptions& o, const Common& common) {
     settings.rays.distribution =
         o.rays_distribution == "cosine" ? RayDistribution::kCosine : RayDistribution::kUniform;
     settings.slices.seed = settings.rays.seed = common.seed;
+    Validate(settings.cut);
     Validate(settings.slices);
     Validate(settings.rays);
     Validate(SeriesOptions{.bounces = settings.bounces, .albedos = settings.albedos});

@@ -57,18 +57,25 @@ void Validate(const SeriesOptions& o) {
     }
 }
 
-Series RunSeries(const Links& links, const SeriesOptions& options,
-                 const std::function<void(int k, std::span<const double> E_k)>& visit,
-                 Monitor& monitor) {
+namespace {
+
+// Means over facets of what holds for the rows of links; the same where rows are facets.
+using ToFacets = std::function<std::vector<double>(std::span<const double>)>;
+
+Series RunSeriesOver(std::size_t n, const Links& links, const ToFacets& to_facets,
+                     const SeriesOptions& options,
+                     const std::function<void(int k, std::span<const double> E_k)>& visit,
+                     Monitor& monitor) {
     Validate(options);
-    const std::size_t n = links.V.size(), albedos = options.albedos.size();
+    const std::size_t albedos = options.albedos.size();
     Series out;
     out.total.assign(albedos, std::vector<float>(n));
     Tail tail{std::vector<double>(n, 1), std::vector<double>(n, 1),
               std::vector<std::vector<double>>(albedos, std::vector<double>(n))};
-    std::vector<double> E = links.V;
+    std::vector<double> of_rows = links.V;
     std::vector<double> moved(n);
     for (int k = 0;; ++k) {
+        const std::vector<double> E = to_facets(of_rows);
         if (k <= options.bounces) visit(k, E);
         ParallelFor(std::int64_t(n), kChunk, [&](std::int64_t begin, std::int64_t end) {
             for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
@@ -94,11 +101,31 @@ Series RunSeries(const Links& links, const SeriesOptions& options,
         out.settled = k >= 2 && out.last_move <= options.tolerance;
         if (k >= options.bounces && (out.settled || k >= options.max_bounces)) break;
         if (k >= options.bounces && albedos == 0) break;
-        E = Gather(links, E, monitor);
+        of_rows = Gather(links, of_rows, monitor);
         monitor.Progress("bounces", std::min(1.0, (k + 1.0) / options.bounces));
     }
     out.largest_under_way = *std::max_element(tail.under_way.begin(), tail.under_way.end());
     return out;
+}
+
+}  // namespace
+
+Series RunSeries(const Links& links, const SeriesOptions& options,
+                 const std::function<void(int k, std::span<const double> E_k)>& visit,
+                 Monitor& monitor) {
+    return RunSeriesOver(
+        links.V.size(), links,
+        [](std::span<const double> x) { return std::vector<double>(x.begin(), x.end()); },
+        options, visit, monitor);
+}
+
+Series RunSeries(const Links& links, const FacetPieces& pieces, const SeriesOptions& options,
+                 const std::function<void(int k, std::span<const double> E_k)>& visit,
+                 Monitor& monitor) {
+    return RunSeriesOver(
+        std::size_t(pieces.Facets()), links,
+        [&](std::span<const double> x) { return pieces.FacetMeans(x); }, options, visit,
+        monitor);
 }
 
 }  // namespace plumb

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "formfactor/links.h"
+#include "heightfield/facet_pieces.h"
 
 namespace plumb {
 
@@ -49,8 +50,15 @@ struct Series {
     double largest_under_way = 0;           ///< max_i R_k at the end, at albedo 1.
 };
 
-/// The series with totals. `visit` sees E_0 ... E_K. Memory: 4 bytes a facet and albedo.
+/// The series with totals. `visit` sees E_0 ... E_K. Memory: 12 bytes a facet and albedo.
 Series RunSeries(const Links& links, const SeriesOptions& options,
+                 const std::function<void(int k, std::span<const double> E_k)>& visit,
+                 Monitor& monitor = SilentMonitor());
+
+/// The same for links between pieces of facets: light bounces between pieces, and `visit` and the
+/// series have its mean over each facet. The rest of a mean is the mean of the rests, so what the
+/// header says of the tail holds for facets too.
+Series RunSeries(const Links& links, const FacetPieces& pieces, const SeriesOptions& options,
                  const std::function<void(int k, std::span<const double> E_k)>& visit,
                  Monitor& monitor = SilentMonitor());
 

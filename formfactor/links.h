@@ -9,6 +9,9 @@
 //
 // Source   [Mayaux18] "Collecting Data", step 1: the links of each texel.
 // Symbols  alpha, V, E as in core/conventions.h; F_ij form factor. All unitless.
+// Beware   Light is constant on what a row stands for: a facet here is a piece of one where links
+//          are made between pieces (heightfield/facet_pieces.h). V and alpha do not depend on
+//          that; bounces are of first order in it.
 #pragma once
 
 #include <cstddef>

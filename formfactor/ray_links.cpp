@@ -15,10 +15,16 @@ namespace {
 
 class RayRow {
   public:
-    RayRow(const HeightField& field, const WalkGrid& grid, const RayOptions& options)
-        : field_(field), grid_(grid), options_(options), far_m_(FarDistanceM(field)) {}
+    RayRow(const HeightField& field, const FacetPieces& pieces, const WalkGrid& grid,
+           const RayOptions& options)
+        : field_(field),
+          pieces_(pieces),
+          grid_(grid),
+          options_(options),
+          far_m_(FarDistanceM(field)) {}
 
-    FacetResult Make(std::int64_t number, LinkBlock& block) {
+    FacetResult Make(std::int64_t piece, LinkBlock& block) {
+        const std::int64_t number = pieces_.FacetOf(piece);
         const Facet f = FacetOf(field_, number);
         const Basis frame(f.normal);
         const Vec3 corner(0.5 * field_.SpacingXM(), 0.5 * field_.SpacingYM(), 0);
@@ -26,23 +32,29 @@ class RayRow {
         row_.clear();
         double cosine_all = 0, solid_all = 0, solid_open = 0, cut_short = 0;
         for (int k = 0; k < options_.rays; ++k) {
-            const Vec3 local = RayDirection(options_, number, std::uint32_t(k));
+            const Vec3 local = RayDirection(options_, piece, std::uint32_t(k));
             const Vec3 d = frame.ToWorld(local);
             const Vec3 x =
-                OriginM(f, options_.origins, options_.seed, number, std::uint32_t(k)) - corner;
+                OriginM(f, pieces_, piece, options_.origins, options_.seed, std::uint32_t(k)) -
+                corner;
             const double w = uniform ? local.z() : 1;
             const double a = SolidAngleWeight(options_.distribution, local.z());
             cosine_all += w;
             solid_all += a;
-            std::int64_t met = CastFromFacet(grid_, number, x, d, far_m_);
+            double height_m = 0;
+            std::int64_t met = CastFromFacet(grid_, number, x, d, far_m_, &height_m);
             if (met == kLost) {
                 cut_short += w;
-                met = d.z() > 0 ? kSky : number;
+                if (d.z() <= 0) {
+                    row_.emplace_back(std::uint32_t(piece), w);
+                    continue;
+                }
+                met = kSky;
             }
             if (met == kSky) {
                 solid_open += a;
             } else {
-                row_.emplace_back(std::uint32_t(met), w);
+                row_.emplace_back(std::uint32_t(pieces_.At(met, height_m)), w);
             }
         }
         for (auto& [j, weight] : row_) weight /= cosine_all;
@@ -52,6 +64,7 @@ class RayRow {
 
   private:
     const HeightField& field_;
+    const FacetPieces& pieces_;
     const WalkGrid& grid_;
     const RayOptions& options_;
     double far_m_;
@@ -78,10 +91,15 @@ double SolidAngleWeight(RayDistribution distribution, double cosine) {
 }
 
 Links LinksByRays(const HeightField& field, const RayOptions& options, Monitor& monitor) {
+    return LinksByRays(field, FacetPieces(field), options, monitor);
+}
+
+Links LinksByRays(const HeightField& field, const FacetPieces& pieces,
+                  const RayOptions& options, Monitor& monitor) {
     Validate(options);
     const WalkGrid grid(field);
     return MakeLinks(
-        field.Facets(), [&] { return RayRow(field, grid, options); }, monitor);
+        pieces.Count(), [&] { return RayRow(field, pieces, grid, options); }, monitor);
 }
 
 }  // namespace plumb

@@ -42,6 +42,10 @@ void Validate(const RayOptions& options);
 Links LinksByRays(const HeightField& field, const RayOptions& options = {},
                   Monitor& monitor = SilentMonitor());
 
+/// The same between the pieces of its facets: rows, alpha and V are then one a piece.
+Links LinksByRays(const HeightField& field, const FacetPieces& pieces,
+                  const RayOptions& options = {}, Monitor& monitor = SilentMonitor());
+
 /// Direction k of the set of facet `number`, in the frame of its normal (z = n). Unit length.
 Vec3 RayDirection(const RayOptions& options, std::int64_t number, std::uint32_t k);
 

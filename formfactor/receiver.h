@@ -5,6 +5,7 @@
 
 #include "core/vec.h"
 #include "heightfield/facet.h"
+#include "heightfield/facet_pieces.h"
 
 namespace plumb {
 
@@ -20,5 +21,10 @@ enum class Origins {
 /// starts on one.
 Vec3 OriginM(const Facet& facet, Origins origins, std::uint64_t seed, std::int64_t number,
              std::uint32_t k);
+
+/// The same for a piece of the facet: for the centroid stands the middle of the level line that
+/// halves the piece.
+Vec3 OriginM(const Facet& facet, const FacetPieces& pieces, std::int64_t piece, Origins origins,
+             std::uint64_t seed, std::uint32_t k);
 
 }  // namespace plumb

@@ -69,8 +69,10 @@ void AppendDrawnTogether(const std::vector<Stretch>& stretches, int most, double
 // Everything that one thread needs to make the row of one facet after another.
 class SliceRow {
   public:
-    SliceRow(const HeightField& field, const WalkGrid& grid, const SliceOptions& options)
+    SliceRow(const HeightField& field, const FacetPieces& pieces, const WalkGrid& grid,
+             const SliceOptions& options)
         : field_(field),
+          pieces_(pieces),
           grid_(grid),
           options_(options),
           far_m_(FarM(field, options)),
@@ -78,18 +80,20 @@ class SliceRow {
                         std::max(std::abs(field.LowestM()), std::abs(field.HighestM()))),
           xy_rounding_m_(kRoundings * (field.WidthM() + field.HeightM())) {}
 
-    FacetResult Make(std::int64_t facet, LinkBlock& block) {
+    FacetResult Make(std::int64_t piece, LinkBlock& block) {
+        const std::int64_t facet = pieces_.FacetOf(piece);
         const Facet f = FacetOf(field_, facet);
+        const int slices = SlicesAPiece(options_.slices, pieces_.PiecesOf(facet));
         const double turn = options_.rotate
-                                ? RandomUnit(options_.seed, std::uint64_t(facet), 0, kRotation)
+                                ? RandomUnit(options_.seed, std::uint64_t(piece), 0, kRotation)
                                 : 0.5;
         row_.clear();
         slices_.clear();
         stretches_.clear();
         double cosine_all = 0, solid_all = 0, solid_open = 0, cut_short = 0;
-        for (int k = 0; k < options_.slices; ++k) {
-            const double phi = 2 * kPi * (k + turn) / options_.slices;
-            const Slice slice = Look(f, facet, k, std::cos(phi), std::sin(phi));
+        for (int k = 0; k < slices; ++k) {
+            const double phi = 2 * kPi * (k + turn) / slices;
+            const Slice slice = Look(f, facet, piece, k, std::cos(phi), std::sin(phi));
             cosine_all += slice.cosine_all;
             solid_all += slice.solid_all;
             solid_open += slice.solid_open;
@@ -101,7 +105,7 @@ class SliceRow {
                         stretches_.begin() + std::ptrdiff_t(slices_[k]));
             begin = slices_[k];
             AppendDrawnTogether(one_, options_.links_per_slice, 1 / cosine_all, options_,
-                                std::uint64_t(facet), std::uint32_t(k), row_);
+                                std::uint64_t(piece), std::uint32_t(k), row_);
         }
         const double V = AppendRow(row_, block);
         // A facet that sees only sky has alpha = 1 exactly: the sums are then the same numbers.
@@ -121,8 +125,10 @@ class SliceRow {
         return relief / options.horizon_tolerance_rad + field.WidthM() + field.HeightM();
     }
 
-    Slice Look(const Facet& f, std::int64_t facet, int k, double cos_phi, double sin_phi) {
-        const Vec3 x = OriginM(f, options_.origins, options_.seed, facet, std::uint32_t(k));
+    Slice Look(const Facet& f, std::int64_t facet, std::int64_t piece, int k, double cos_phi,
+               double sin_phi) {
+        const Vec3 x =
+            OriginM(f, pieces_, piece, options_.origins, options_.seed, std::uint32_t(k));
         const double c = f.normal.x() * cos_phi + f.normal.y() * sin_phi, n_z = f.normal.z();
         double horizon = -c / n_z;
         const Zenith plane(horizon);
@@ -136,17 +142,25 @@ class SliceRow {
                                     cos_phi,
                                     sin_phi};
         grid_.Walk(start, horizon, far_m_, options_.horizon_tolerance_rad,
-                   [&](std::int64_t crossed, double t_m, double rise_m, double& slope) {
+                   [&](const WalkGrid::Crossing& crossing, double& slope) {
                        // Level with the horizon up to rounding: facets of one plane do not
                        // see each other.
                        const double rounding_m =
                            z_rounding_m_ + std::abs(slope) * xy_rounding_m_;
-                       if (rise_m <= slope * t_m + rounding_m) return true;
-                       slope = horizon = rise_m / t_m;
-                       const double next = CosineBelow(Zenith(slope), c, n_z);
-                       const double weight = below - next;
-                       below = next;
-                       if (weight > 0) stretches_.push_back({std::uint32_t(crossed), weight});
+                       if (crossing.rise_m <= slope * crossing.t_m + rounding_m) return true;
+                       const double before = slope;
+                       slope = horizon = crossing.rise_m / crossing.t_m;
+                       const auto see = [&](std::int64_t seen, double up_to) {
+                           const double next = CosineBelow(Zenith(up_to), c, n_z);
+                           const double weight = below - next;
+                           below = next;
+                           if (weight > 0) stretches_.push_back({std::uint32_t(seen), weight});
+                       };
+                       if (pieces_.PiecesOf(crossing.facet) == 1) {
+                           see(pieces_.First(crossing.facet), slope);
+                       } else {
+                           SeePieces(crossing, x.z(), before, see);
+                       }
                        return true;
                    });
         Zenith last(horizon);
@@ -156,7 +170,7 @@ class SliceRow {
             const double next = CosineBelow(level, c, n_z);
             if (below > next) {
                 out.cut_short = below - next;
-                if (stretches_.size() == begin) stretches_.push_back({std::uint32_t(facet), 0});
+                if (stretches_.size() == begin) stretches_.push_back({std::uint32_t(piece), 0});
                 stretches_.back().weight += below - next;
                 last = level;
             }
@@ -166,7 +180,33 @@ class SliceRow {
         return out;
     }
 
+    // What the line of sight sees of a cut facet as it rises from slope `before` to that of the
+    // crossing: piece after piece, up or down.
+    template <class See>
+    void SeePieces(const WalkGrid::Crossing& crossing, double z_m, double before,
+                   See&& see) const {
+        const double slope = crossing.rise_m / crossing.t_m;
+        const std::int64_t last = pieces_.At(crossing.facet, z_m + crossing.rise_m);
+        // Where the line of slope `before` meets the facet's plane.
+        const double closing = before - crossing.grade;
+        const double t_m = (crossing.rise_m - crossing.grade * crossing.t_m) / closing;
+        std::int64_t piece =
+            closing == 0 ? last : pieces_.At(crossing.facet, z_m + before * t_m);
+        double seen = before;
+        for (; piece != last; piece += piece < last ? 1 : -1) {
+            const double border_m = pieces_.LowM(piece < last ? piece + 1 : piece) - z_m;
+            const double t_border_m =
+                crossing.t_m + (border_m - crossing.rise_m) / crossing.grade;
+            const double up_to = border_m / t_border_m;
+            if (!(up_to > seen && up_to < slope)) continue;  // Rounding, or crossing.grade = 0.
+            see(piece, up_to);
+            seen = up_to;
+        }
+        see(last, slope);
+    }
+
     const HeightField& field_;
+    const FacetPieces& pieces_;
     const WalkGrid& grid_;
     const SliceOptions& options_;
     double far_m_, z_rounding_m_, xy_rounding_m_;
@@ -190,11 +230,20 @@ void Validate(const SliceOptions& o) {
     }
 }
 
+int SlicesAPiece(int slices, int pieces) {
+    return std::max(std::min(slices, kFewestSlices), (slices + pieces - 1) / pieces);
+}
+
 Links LinksBySlices(const HeightField& field, const SliceOptions& options, Monitor& monitor) {
+    return LinksBySlices(field, FacetPieces(field), options, monitor);
+}
+
+Links LinksBySlices(const HeightField& field, const FacetPieces& pieces,
+                    const SliceOptions& options, Monitor& monitor) {
     Validate(options);
     const WalkGrid grid(field);
     return MakeLinks(
-        field.Facets(), [&] { return SliceRow(field, grid, options); }, monitor);
+        pieces.Count(), [&] { return SliceRow(field, pieces, grid, options); }, monitor);
 }
 
 }  // namespace plumb

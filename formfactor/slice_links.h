@@ -57,4 +57,14 @@ void Validate(const SliceOptions& options);
 Links LinksBySlices(const HeightField& field, const SliceOptions& options = {},
                     Monitor& monitor = SilentMonitor());
 
+/// The same between the pieces of its facets: rows, alpha and V are then one a piece, and the
+/// pieces of a cut facet share its slices.
+Links LinksBySlices(const HeightField& field, const FacetPieces& pieces,
+                    const SliceOptions& options = {}, Monitor& monitor = SilentMonitor());
+
+/// Slices of one of the `pieces` of a facet that has `slices`: its part of them, but kFewestSlices
+/// at least (`slices`, if that is fewer).
+inline constexpr int kFewestSlices = 4;
+int SlicesAPiece(int slices, int pieces);
+
 }  // namespace plumb

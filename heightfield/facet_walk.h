@@ -48,6 +48,14 @@ class WalkGrid {
         double cos_azimuth, sin_azimuth;
     };
 
+    /// Where a walk leaves a facet.
+    struct Crossing {
+        std::int64_t facet;  ///< The facet just crossed.
+        double t_m;          ///< Distance from the start.
+        double rise_m;       ///< The surface's height above the start.
+        double grade;        ///< Slope of that facet's plane in the walk's vertical plane.
+    };
+
     /// How a walk ended.
     enum class End {
         kStopped,  ///< The visitor said so.
@@ -59,11 +67,10 @@ class WalkGrid {
     /// Walks from `start` along a line of sight whose slope is `slope` to begin with. At each
     /// crossing with an edge after the starting facet, and before the walk goes on, calls
     ///
-    ///     bool visit(std::int64_t facet, double t_m, double rise_m, double& slope)
+    ///     bool visit(const Crossing& crossing, double& slope)
     ///
-    /// with the facet just crossed, the distance and the surface's height above the start;
-    /// visit may raise the slope (a new horizon) and returns false to stop. Crossings in
-    /// blocks below the line of sight are left out: there rise < slope * t. Ends once all that the
+    /// which may raise the slope (a new horizon) and returns false to stop. Crossings in blocks
+    /// below the line of sight are left out: there rise < slope * t. Ends once all that the
     /// surface can still rise above the line of sight is thinner than `tolerance_rad`, seen from
     /// the start: 0 for a ray, which must know. A slope's angle changes by 1 / (1 + m^2), which on
     /// the way up from below the horizontal is 1 at most.
@@ -213,9 +220,12 @@ WalkGrid::End WalkGrid::Walk(const Start& start, double slope, double max_distan
                 }
                 f = std::clamp(f, 0.0, 1.0);
                 const double rise = z_a + f * (z_b - z_a) - start.z_m;
-                if (!first && !visit(FacetNumber(i, j, upper), t, rise, slope)) {
-                    return End::kStopped;
-                }
+                // The two legs of the facet along the grid.
+                const double along_u = upper ? next[1] - next[0] : row[1] - row[0];
+                const double along_v = upper ? next[0] - row[0] : next[1] - row[1];
+                const Crossing crossing{FacetNumber(i, j, upper), t, rise,
+                                        along_u * du + along_v * dv};
+                if (!first && !visit(crossing, slope)) return End::kStopped;
                 first = false;
                 upper ^= 1;
                 i = next_i, j = next_j;

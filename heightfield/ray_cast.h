@@ -29,9 +29,11 @@ double FarDistanceM(const HeightField& field);
 
 /// The facet that the ray meets first, kSky or kLost. It starts on facet `facet` and heads into
 /// the open half-space above it; x, y from texel (0, 0) as in WalkGrid::Start. `direction` need
-/// not be of unit length; it must not vanish. Cost: O(log n) blocks on a rough field of n x n
+/// not be of unit length; it must not vanish. `height_m`, if given, learns the height at which the
+/// facet is met. Cost: O(log n) blocks on a rough field of n x n
 /// texels.
 std::int64_t CastFromFacet(const WalkGrid& grid, std::int64_t facet, const Vec3& origin_m,
-                           const Vec3& direction, double max_distance_m);
+                           const Vec3& direction, double max_distance_m,
+                           double* height_m = nullptr);
 
 }  // namespace plumb

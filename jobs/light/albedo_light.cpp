@@ -41,7 +41,8 @@ std::array<std::vector<double>, 3> FacetAlbedos(const HeightField& field,
 }
 
 std::array<std::vector<double>, 3> ColouredLight(
-    const Links& links, const std::array<std::vector<double>, 3>& albedo, Monitor& monitor) {
+    const Links& links, const FacetPieces& pieces,
+    const std::array<std::vector<double>, 3>& albedo, Monitor& monitor) {
     std::array<std::vector<double>, 3> out;
     for (std::size_t c = 0; c < 3; ++c) {
         // A grey surface is solved once.
@@ -49,12 +50,16 @@ std::array<std::vector<double>, 3> ColouredLight(
             out[c] = out[c - 1];
             continue;
         }
-        TotalLight total = SolveTotal(links, albedo[c], 1e-8, monitor);
+        std::vector<double> of_pieces(std::size_t(pieces.Count()));
+        for (std::size_t p = 0; p < of_pieces.size(); ++p) {
+            of_pieces[p] = albedo[c][std::size_t(pieces.FacetOf(std::int64_t(p)))];
+        }
+        const TotalLight total = SolveTotal(links, of_pieces, 1e-8, monitor);
         if (!total.converged) {
             throw Error("albedo: the light did not converge, residual " +
                         std::to_string(total.residual));
         }
-        out[c] = std::move(total.E);
+        out[c] = pieces.FacetMeans(std::span<const double>(total.E));
     }
     return out;
 }

@@ -7,6 +7,7 @@
 #include "core/image.h"
 #include "core/monitor.h"
 #include "formfactor/links.h"
+#include "heightfield/facet_pieces.h"
 #include "heightfield/height_field.h"
 
 namespace plumb {
@@ -16,9 +17,10 @@ namespace plumb {
 std::array<std::vector<double>, 3> FacetAlbedos(const HeightField& field,
                                                 const Image<Rgb>& albedo);
 
-/// E of every facet for each of R, G, B. Throws Error if a solve does not converge.
+/// E of every facet for each of R, G, B, from links between its pieces and one albedo a facet.
+/// Throws Error if a solve does not converge.
 std::array<std::vector<double>, 3> ColouredLight(
-    const Links& links, const std::array<std::vector<double>, 3>& albedo,
-    Monitor& monitor = SilentMonitor());
+    const Links& links, const FacetPieces& pieces,
+    const std::array<std::vector<double>, 3>& albedo, Monitor& monitor = SilentMonitor());
 
 }  // namespace plumb

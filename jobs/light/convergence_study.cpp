@@ -18,10 +18,12 @@ struct Light {
 };
 
 Light LightOf(const HeightField& field, const SimulateSettings& settings, Monitor& monitor) {
-    const Links links = MakeLinksOf(field, settings, monitor);
+    const FacetPieces pieces(field, settings.cut);
+    const Links links = MakeLinksOf(field, pieces, settings, monitor);
     Series series = RunSeries(
-        links, {.bounces = 0, .albedos = {0.5}}, [](int, std::span<const double>) {}, monitor);
-    return {links.V, std::move(series.total[0])};
+        links, pieces, {.bounces = 0, .albedos = {0.5}}, [](int, std::span<const double>) {},
+        monitor);
+    return {pieces.FacetMeans(std::span<const double>(links.V)), std::move(series.total[0])};
 }
 
 template <class T>

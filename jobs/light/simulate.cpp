@@ -72,8 +72,8 @@ SimulateResult Simulate(const Surface& surface, const SimulateJob& job,
                  }
              },
          .links =
-             [&](const Links& links) {
-                 if (coloured) E = ColouredLight(links, albedo, monitor);
+             [&](const Links& links, const FacetPieces& pieces) {
+                 if (coloured) E = ColouredLight(links, pieces, albedo, monitor);
              }});
     report.provenance.tool_version = tool_version;
     report.provenance.command = command;

@@ -33,10 +33,11 @@ class StopWatch {
     double last_s_;
 };
 
-SurfaceFigures FiguresOf(const HeightField& field, const Links& links) {
+SurfaceFigures FiguresOf(const HeightField& field, const Links& links,
+                         const SurfaceLight& light) {
     SurfaceFigures figures;
-    figures.facets = links.Facets();
-    const double n = double(links.Facets());
+    figures.facets = field.Facets();
+    const double n = double(figures.facets);
     figures.links_per_facet = double(links.Count()) / n;
     figures.cut_short = links.mean_cut_short;
     double alpha = 0, V = 0, slope_rad = 0;
@@ -45,12 +46,12 @@ SurfaceFigures FiguresOf(const HeightField& field, const Links& links) {
     // changes from one cell to the next.
     double aperture = 0, differences = 0;
     double before[2] = {};
-    for (std::int64_t i = 0; i < links.Facets(); ++i) {
+    for (std::int64_t i = 0; i < figures.facets; ++i) {
         const double n_z = FacetOf(field, i).normal.z();
-        alpha += links.alpha[std::size_t(i)];
-        V += links.V[std::size_t(i)];
+        alpha += light.alpha[std::size_t(i)];
+        V += light.V[std::size_t(i)];
         slope_rad += std::acos(std::min(1.0, n_z));
-        const double x = links.V[std::size_t(i)] / n_z;
+        const double x = light.V[std::size_t(i)] / n_z;
         aperture += x;
         if (i >= 2) differences += (x - before[i % 2]) * (x - before[i % 2]);
         before[i % 2] = x;
@@ -60,7 +61,7 @@ SurfaceFigures FiguresOf(const HeightField& field, const Links& links) {
     figures.mean_slope_deg = slope_rad / n * 180 / kPi;
     if (field.GetBoundary() != Boundary::kOpen) {
         figures.aperture =
-            Estimate{aperture / n, std::sqrt(differences / (2 * (n - 2)) / n), links.Facets()};
+            Estimate{aperture / n, std::sqrt(differences / (2 * (n - 2)) / n), figures.facets};
     }
     return figures;
 }
@@ -80,35 +81,36 @@ Sampling SamplingOf(const SimulateSettings& settings) {
     return {"slices", settings.slices.slices, settings.slices.seed};
 }
 
-Links MakeLinksOf(const HeightField& field, const SimulateSettings& settings,
-                  Monitor& monitor) {
+Links MakeLinksOf(const HeightField& field, const FacetPieces& pieces,
+                  const SimulateSettings& settings, Monitor& monitor) {
     return settings.method == LinkMethod::kRays
-               ? LinksByRays(field, settings.rays, monitor)
-               : LinksBySlices(field, settings.slices, monitor);
+               ? LinksByRays(field, pieces, settings.rays, monitor)
+               : LinksBySlices(field, pieces, settings.slices, monitor);
 }
 
 SurfaceLight SimulateSurface(const std::string& name, const HeightField& field,
                              const SimulateSettings& settings, Monitor& monitor,
                              Timings* timings, const Clock& clock, const SimulateViews& views) {
     StopWatch watch(name, timings, clock);
-    const Links links = MakeLinksOf(field, settings, monitor);
+    const FacetPieces pieces(field, settings.cut);
+    const Links links = MakeLinksOf(field, pieces, settings, monitor);
     watch.Lap("links");
 
     SurfaceLight light;
     light.name = name;
-    light.alpha = links.alpha;
-    light.V = links.V;
+    light.alpha = pieces.FacetMeans(std::span<const double>(links.alpha));
+    light.V = pieces.FacetMeans(std::span<const double>(links.V));
     light.albedos = settings.albedos;
     light.link_bytes = links.MemoryBytes();
     light.links = links.Count();
-    light.figures = FiguresOf(field, links);
+    light.figures = FiguresOf(field, links, light);
 
-    HistogramBuilder over_alpha(name, BinnedBy::kUniformVisibility, settings.bins, links.alpha,
-                                links.V);
-    HistogramBuilder over_V(name, BinnedBy::kCosineVisibility, settings.bins, links.alpha,
-                            links.V);
-    HistogramBuilder over_both(name, BinnedBy::kBothVisibilities, kAlphaVGridSide, links.alpha,
-                               links.V);
+    HistogramBuilder over_alpha(name, BinnedBy::kUniformVisibility, settings.bins, light.alpha,
+                                light.V);
+    HistogramBuilder over_V(name, BinnedBy::kCosineVisibility, settings.bins, light.alpha,
+                            light.V);
+    HistogramBuilder over_both(name, BinnedBy::kBothVisibilities, kAlphaVGridSide, light.alpha,
+                               light.V);
     const auto gather = [&](int k, std::span<const double> E_k) {
         over_alpha.AddBounce(E_k);
         over_V.AddBounce(E_k);
@@ -119,8 +121,9 @@ SurfaceLight SimulateSurface(const std::string& name, const HeightField& field,
         }
         if (views.bounce) views.bounce(k, E_k);
     };
-    light.series = RunSeries(links, {.bounces = settings.bounces, .albedos = settings.albedos},
-                             gather, monitor);
+    light.series =
+        RunSeries(links, pieces, {.bounces = settings.bounces, .albedos = settings.albedos},
+                  gather, monitor);
     light.total = std::exchange(light.series.total, {});
     for (std::size_t r = 0; r < settings.albedos.size(); ++r) {
         over_alpha.AddTotal(settings.albedos[r], light.total[r]);
@@ -139,7 +142,7 @@ SurfaceLight SimulateSurface(const std::string& name, const HeightField& field,
         light.figures.max_furnace_error = worst;
         watch.Lap("furnace");
     }
-    if (views.links) views.links(links);
+    if (views.links) views.links(links, pieces);
     light.over_alpha = over_alpha.Result();
     light.over_V = over_V.Result();
     light.over_both = over_both.Result();

@@ -43,15 +43,18 @@ TEST(FacetAlbedos, RefuseAnotherSizeAndValuesOutsideTheRange) {
 // bounces at all, because E rises with the albedo.
 TEST(ColouredLight, SaturatesInTheHollows) {
     const Surface wall = LoadSurface("make:bricks:24");
-    const Links links = LinksBySlices(wall.field, {.slices = 8});
-    const std::size_t n = links.V.size();
-    const auto E =
-        ColouredLight(links, {std::vector<double>(n, 0.9), std::vector<double>(n, 0.5),
-                              std::vector<double>(n, 0.0)});
+    const FacetPieces pieces(wall.field, {.extent_texels = 0.5});
+    ASSERT_GT(pieces.Count(), pieces.Facets());
+    const Links links = LinksBySlices(wall.field, pieces, {.slices = 8});
+    const std::vector<double> V = pieces.FacetMeans(std::span<const double>(links.V));
+    const std::size_t n = V.size();
+    const auto E = ColouredLight(links, pieces,
+                                 {std::vector<double>(n, 0.9), std::vector<double>(n, 0.5),
+                                  std::vector<double>(n, 0.0)});
     int hollows = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        EXPECT_NEAR(E[2][i], links.V[i], 1e-7);  // The solver's residual.
-        if (links.V[i] > 0.95) continue;
+        EXPECT_NEAR(E[2][i], V[i], 1e-7);  // The solver's residual.
+        if (V[i] > 0.95) continue;
         EXPECT_GT(E[0][i], E[1][i]);
         EXPECT_GT(E[1][i], E[2][i]);
         ++hollows;

@@ -41,7 +41,8 @@ double Total(const std::vector<TileSums>& tiles, double TileSums::*member) {
     return sum;
 }
 
-/// sqrt MSE and PSNR are monotone in the MSE: its interval carries over end by end.
+}  // namespace
+
 Figure RmseOf(const Figure& mse) {
     const auto root = [](double x) { return std::sqrt(std::max(x, 0.0)); };
     Figure rmse{.value = root(mse.value),
@@ -67,8 +68,6 @@ Figure PsnrOf(const Figure& mse, double peak) {
     }
     return psnr;
 }
-
-}  // namespace
 
 double PsnrDb(double mse, double peak) {
     if (mse <= 0) return std::numeric_limits<double>::infinity();

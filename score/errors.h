@@ -80,6 +80,10 @@ Figure CompareMse(const Image<float>& a, const Image<float>& b, const Image<floa
                   const Image<float>& standard_error = {}, const Mask& mask = {},
                   const ErrorOptions& options = {});
 
+/// RMSE and PSNR of an MSE. Both are monotone in it: its interval carries over end by end.
+Figure RmseOf(const Figure& mse);
+Figure PsnrOf(const Figure& mse, double peak);
+
 /// 10 log10(peak^2 / mse); infinite for mse <= 0.
 double PsnrDb(double mse, double peak = 1);
 

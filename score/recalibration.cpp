@@ -107,6 +107,7 @@ RecalibrationScore ScoreRecalibrated(const Image<float>& candidate, const Image<
     score.fitted = ScoreErrors(fitted, truth, standard_error, mask, options);
     if (every_fold_counts)
         score.held_out = ScoreErrors(held_out, truth, standard_error, mask, options);
+    score.picture = std::move(held_out);
     score.map = std::move(maps[kFolds]);
     return score;
 }

@@ -28,6 +28,7 @@ namespace plumb {
 struct RecalibrationScore {
     MonotoneMap map;  ///< f*, of all pixels that count.
     ErrorScore fitted, held_out;
+    Image<float> picture;  ///< What held_out scores: each fold by the f of the others.
 };
 
 /// As ScoreErrors, of f*(c). Where fewer than five tiles count, held_out has no pixels.

@@ -1,7 +1,7 @@
 // The truth of one view in memory: what screen-space pictures are scored against.
 //
 // V, and the visibility within a radius by several falloffs; every pixel with the standard error
-// of its nets (truth/replicates.h).
+// of its nets, the plain one: its square is unbiased, as scores need it.
 #pragma once
 
 #include <cstdint>

@@ -63,7 +63,7 @@ demo() {
   build/release/app/plumb fit data/heightmaps/{stone_wall,bricks,cobbles,jacksboro,finland}.png \
     make:gravel:128 make:hex_tiles:128 make:shapes:128 make:terrain:128 \
     --slices 16 --starts 4 --bootstrap 20 --out out/demo
-  build/release/app/plumb report atrium --spp 128 --rounds 3 --out out/demo/atrium
+  build/release/app/plumb report atrium --spp 128 --rounds 5 --out out/demo/atrium
   say "open out/demo/report.html and out/demo/atrium/report.html in a browser"
 }
 

@@ -3,12 +3,14 @@
 // Options -> struct -> call -> print.
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/command.h"
 #include "app/view_options.h"
 #include "core/parallel.h"
+#include "jobs/screen_space/report_folders.h"
 #include "jobs/screen_space/report_scene.h"
 
 namespace plumb::app {
@@ -19,12 +21,12 @@ struct Options {
     SceneReportJob job;
     ViewOptions view;
     Common common;
+    CLI::Option* out = nullptr;
 };
 
 void RunOne(const Options& o, const std::string& name, const std::filesystem::path& folder) {
     const auto monitor = MakeMonitor(o.common);
     SceneReportJob job = o.job;
-    job.camera = o.view.camera;
     job.width_px = o.view.width_px;
     job.height_px = o.view.height_px;
     job.guard_px = o.view.guard_px;
@@ -43,11 +45,10 @@ void RunOne(const Options& o, const std::string& name, const std::filesystem::pa
 
 void Run(const Options& o) {
     SetThreadCount(o.common.threads);
-    for (const std::string& scene : o.scenes) {
-        RunOne(o, scene,
-               o.scenes.size() == 1 ? o.common.out
-                                    : o.common.out / std::filesystem::path(scene).stem());
-    }
+    std::optional<std::filesystem::path> out;
+    if (o.out->count() > 0) out = o.common.out;
+    const std::vector<std::filesystem::path> folders = ReportFolders(o.scenes, out);
+    for (std::size_t k = 0; k < folders.size(); ++k) RunOne(o, o.scenes[k], folders[k]);
 }
 
 }  // namespace
@@ -56,8 +57,9 @@ void AddReport(CLI::App& program) {
     auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand(
         "report",
-        "Score screen-space techniques against the path-traced truth of a view: errors with\n"
-        "their uncertainties, an error budget, error against run time, times pass by pass.\n"
+        "Score screen-space techniques against the path-traced truth of every camera of a\n"
+        "scene: errors with their uncertainties, and of the first camera an error budget,\n"
+        "error against run time, times pass by pass.\n"
         "Writes report.html, report.json, scores.csv, sweep.csv and pictures.");
     command
         ->add_option("scenes", o->scenes,
@@ -67,23 +69,31 @@ void AddReport(CLI::App& program) {
     for (const std::string& name : TechniqueNames())
         names += (names.empty() ? "" : ", ") + name;
     command->add_option("--technique", o->job.techniques, "Only these, of: " + names);
-    command->add_option("--radius", o->job.radius_m, "Radius of every technique [m]")
-        ->capture_default_str();
+    command->add_option("--camera", o->job.cameras,
+                        "Only these cameras; all if not given. The first has the studies");
+    command->add_option(
+        "--radius", o->job.radius_m,
+        "Radius of the truth and of every technique [m]; not given: the truth's is "
+        "1.5, a technique's that of the scene's file, else 1.5");
     command
         ->add_option("--budget", o->job.budget,
                      "Preset of SAO whose error is split: paper, supplement2012 or g3d10")
         ->capture_default_str();
     command
         ->add_option("--spp", o->job.spp,
-                     "Rays a pixel of the truth: a power of two, at least 16")
+                     "Rays a pixel of the first camera's truth: a power of two, at least 16")
         ->capture_default_str();
+    command->add_option("--other-spp", o->job.other_spp,
+                        "The same of the other cameras; not given: a quarter, at least 16");
     command->add_option("--rounds", o->job.rounds, "Runs of every timing; medians count")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command->add_flag("!--no-studies", o->job.studies,
                       "Leave out budget, sweep, times and flicker");
-    AddViewOptions(*command, o->view);
+    AddPictureOptions(*command, o->view);
     AddCommon(*command, o->common);
+    o->out = command->get_option("--out");
+    o->out->default_str("out/report-SCENE");
     command->callback([o] { Run(*o); });
 }
 

@@ -4,6 +4,10 @@ namespace plumb::app {
 
 void AddViewOptions(CLI::App& command, ViewOptions& view) {
     command.add_option("--camera", view.camera, "Name of the camera; the first if not given");
+    AddPictureOptions(command, view);
+}
+
+void AddPictureOptions(CLI::App& command, ViewOptions& view) {
     command.add_option("--width", view.width_px, "Width of the picture [px]")
         ->check(CLI::Range(1, 16384));
     command.add_option("--height", view.height_px, "Height of the picture [px]")

@@ -14,4 +14,7 @@ struct ViewOptions {
 /// Declares --camera, --width, --height and --guard.
 void AddViewOptions(CLI::App& command, ViewOptions& view);
 
+/// The same but for --camera: for whoever looks through several.
+void AddPictureOptions(CLI::App& command, ViewOptions& view);
+
 }  // namespace plumb::app

@@ -41,13 +41,13 @@ std::string SweepHtml(const SceneReport& r, PlotSheet& sheet) {
         if (by_technique[p.technique].empty()) order.push_back(p.technique);
         by_technique[p.technique].push_back(&p);
     }
-    const auto view = [&](const std::string& key, double SweepPoint::*error) {
+    const auto view = [&](const std::string& key, Figure SweepPoint::*error) {
         PlotView drawn{.keys = {{"error", key}}, .series = {}, .x = {}, .y = {}};
         for (std::size_t t = 0; t < order.size(); ++t) {
             std::vector<double> x, y;
             for (const SweepPoint* p : by_technique[order[t]]) {
-                x.push_back(p->seconds * 1e3);
-                y.push_back(p->*error);
+                x.push_back(p->seconds.value * 1e3);
+                y.push_back((p->*error).value);
             }
             drawn.series.push_back(Dots(order[t], int(t), sheet.Add(x), sheet.Add(y), false));
         }
@@ -56,12 +56,12 @@ std::string SweepHtml(const SceneReport& r, PlotSheet& sheet) {
     PlotView plain = view("as it is", &SweepPoint::rmse);
     double least = 1, most = 0;
     for (const SweepPoint& p : r.sweep) {
-        least = std::min({least, p.rmse, p.recalibrated_rmse});
-        most = std::max({most, p.rmse, p.recalibrated_rmse});
+        least = std::min({least, p.rmse.value, p.recalibrated_rmse.value});
+        most = std::max({most, p.rmse.value, p.recalibrated_rmse.value});
     }
     std::vector<std::pair<double, double>> front;
     for (const SweepPoint& p : r.sweep) {
-        if (p.on_front) front.push_back({p.seconds * 1e3, p.rmse});
+        if (p.on_front) front.push_back({p.seconds.value * 1e3, p.rmse.value});
     }
     std::sort(front.begin(), front.end());
     std::vector<double> x, y;
@@ -91,12 +91,13 @@ std::string SweepHtml(const SceneReport& r, PlotSheet& sheet) {
     for (const SweepPoint& p : r.sweep) {
         if (p.on_front) sorted.push_back(&p);
     }
-    std::sort(sorted.begin(), sorted.end(),
-              [](const SweepPoint* a, const SweepPoint* b) { return a->seconds < b->seconds; });
+    std::sort(sorted.begin(), sorted.end(), [](const SweepPoint* a, const SweepPoint* b) {
+        return a->seconds.value < b->seconds.value;
+    });
     std::vector<std::vector<Cell>> rows;
     for (const SweepPoint* p : sorted) {
-        rows.push_back({Text(p->technique), Text(p->setting), Ms(p->seconds), Number(p->rmse),
-                        Number(p->recalibrated_rmse)});
+        rows.push_back({Text(p->technique), Text(p->setting), Ms(p->seconds),
+                        Interval95(p->rmse), Interval95(p->recalibrated_rmse)});
     }
     return html + "<h3>The Pareto front</h3>" +
            Table({{"technique"},
@@ -112,8 +113,8 @@ std::string TimesHtml(const SceneReport& r, PlotSheet& sheet) {
     for (const PassTimes& t : r.times) {
         std::string passes;
         for (const PassSeconds& pass : t.passes) {
-            passes +=
-                (passes.empty() ? "" : " · ") + pass.name + " " + Digits(pass.seconds * 1e3, 3);
+            passes += (passes.empty() ? "" : " · ") + pass.name + " " +
+                      Digits(pass.seconds.value * 1e3);
         }
         rows.push_back({Text(t.technique),
                         Text(std::to_string(t.width_px) + " × " + std::to_string(t.height_px) +
@@ -125,15 +126,17 @@ std::string TimesHtml(const SceneReport& r, PlotSheet& sheet) {
                         Number(t.copies)});
     }
     std::string html =
-        "<p>On " + std::to_string(r.threads) +
-        " threads; medians. Sizes are those of the paper's table 2 with their guard bands. "
-        "<i>Bytes</i>: what the passes read and write at least, every picture once. "
-        "<i>Copies</i>: the time over that of copying as many bytes in the same run; this "
-        "machine copies " +
-        Digits(r.copy_bytes_per_second / 1e9) + " GB/s (read and written) and casts " +
-        Digits(r.embree_rays_per_second / 1e6) +
+        "<p>On " + std::to_string(r.threads) + " threads; medians of " +
+        std::to_string(r.rounds) +
+        " rounds, the techniques in turns; in brackets the least and the greatest. Sizes and "
+        "guard bands are those of the paper's table 3. <i>Bytes</i>: what the passes read and "
+        "write, counted texel by texel, each once a pass, by the pixels shown. <i>ns a visible "
+        "pixel</i>: by the pixels shown, as in that table. <i>Copies</i>: the time over that "
+        "of copying as many bytes in the same run; this machine copies " +
+        Digits(r.copy_bytes_per_second.value / 1e9) + " GB/s (read and written) and casts " +
+        Digits(r.embree_rays_per_second.value / 1e6) +
         " million bare occlusion rays a second in this scene. One G-buffer takes " +
-        Digits(r.raster_s * 1e3) + " ms.</p>" +
+        Digits(r.raster_s.value * 1e3) + " ms.</p>" +
         Table({{"technique"},
                {"size + border [px]", true},
                {"time [ms]"},
@@ -146,16 +149,17 @@ std::string TimesHtml(const SceneReport& r, PlotSheet& sheet) {
     std::vector<double> radius, with, without, alchemy;
     for (const RadiusTime& t : r.radii) {
         radius.push_back(t.radius_m);
-        with.push_back(t.with_pyramid_s * 1e3);
-        without.push_back(t.without_pyramid_s * 1e3);
-        alchemy.push_back(t.alchemy_s * 1e3);
+        with.push_back(t.with_pyramid_s.value * 1e3);
+        without.push_back(t.without_pyramid_s.value * 1e3);
+        alchemy.push_back(t.alchemy_s.value * 1e3);
     }
     const Column x = sheet.Add(radius);
     Plot plot{.id = "radius",
               .title = "Sampling time against radius",
-              .caption =
-                  "1920 × 1080, 9 taps (AlchemyAO: 12). The paper's figure 5: without a "
-                  "pyramid taps of a wide disc miss the cache.",
+              .caption = std::to_string(r.radii_width_px) + " × " +
+                         std::to_string(r.radii_height_px) +
+                         ", 9 taps (AlchemyAO: 12). The paper's figure 5: without a pyramid "
+                         "taps of a wide disc miss the cache.",
               .x = {.label = "radius [m]", .low = 0, .high = {}},
               .y = {.label = "time [ms]", .low = 0, .high = {}},
               .views = {{.keys = {},

@@ -17,8 +17,21 @@ inline Cell Number(double value, int significant = 3) {
     return {Digits(value, significant), "", ""};
 }
 
-inline Cell Ms(double seconds) {
-    return Number(seconds * 1e3);
+/// The median in milliseconds, from the least to the greatest of the rounds.
+inline Cell Ms(const Measured& time) {
+    return {Digits(time.value * 1e3) + " <span class=\"spread\">(" +
+                Digits(time.interval.low * 1e3) + "–" + Digits(time.interval.high * 1e3) +
+                ")</span>",
+            "", ""};
+}
+
+/// A value with its 95 % interval.
+inline Cell Interval95(const Figure& figure, int significant = 3, double scale = 1) {
+    const std::string all = WithInterval(figure, significant, scale);
+    const auto open = all.find(" (");
+    if (open == std::string::npos) return {all, "", ""};
+    return {all.substr(0, open) + " <span class=\"spread\">" + all.substr(open + 1) + "</span>",
+            "", ""};
 }
 
 inline Cell WithErrorOf(const Figure& figure, double scale = 1) {

@@ -1,10 +1,12 @@
 #include "jobs/screen_space/ao_sweep.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "core/error.h"
 #include "jobs/pictures.h"
+#include "jobs/screen_space/find_closest.h"
 #include "jobs/screen_space/score_technique.h"
+#include "jobs/screen_space/time_techniques.h"
 #include "score/pareto.h"
 #include "screen_space/raster/draw_gbuffer.h"
 
@@ -19,26 +21,29 @@ struct Setting {
     bool half = false;  // Drawn at half the resolution.
 };
 
-std::vector<Setting> SettingsOf(const std::string& name, double radius_m) {
-    std::vector<Setting> settings{{"as shipped", TechniqueNamed(name, {.radius_m = radius_m})}};
+std::vector<Setting> SettingsOf(const ChosenTechnique& chosen) {
+    const std::string& name = chosen.name;
+    const auto changed = [&](const auto& change) {
+        TechniqueSettings settings = chosen.settings;
+        change(settings);
+        return TechniqueNamed(name, settings);
+    };
+    std::vector<Setting> settings{{"as shipped", chosen.Made()}};
     for (const double share : {0.5, 2.0}) {
         settings.push_back({share < 1 ? "half the radius" : "twice the radius",
-                            TechniqueNamed(name, {.radius_m = share * radius_m})});
+                            changed([&](TechniqueSettings& s) { s.radius_m *= share; })});
     }
-    settings.push_back({"half resolution", TechniqueNamed(name, {.radius_m = radius_m}), true});
-    settings.push_back(
-        {"no filter", TechniqueNamed(name, {.radius_m = radius_m, .filter = false})});
+    settings.push_back({"half resolution", chosen.Made(), true});
+    settings.push_back({"no filter", changed([](TechniqueSettings& s) { s.filter = false; })});
     if (!name.starts_with("rays-")) {
         for (const int samples : kSampleCounts) {
-            Technique technique =
-                TechniqueNamed(name, {.radius_m = radius_m, .samples = samples});
+            Technique technique = changed([&](TechniqueSettings& s) { s.samples = samples; });
             const std::string text = std::to_string(technique.samples) + " lookups";
             settings.push_back({text, std::move(technique)});
         }
     }
-    const bool sao = name.starts_with("sao-");
-    if (!sao) return settings;
-    const SaoOptions shipped = SaoWith(name.substr(4), {.radius_m = radius_m});
+    if (!name.starts_with("sao-")) return settings;
+    const SaoOptions shipped = SaoWith(name.substr(4), chosen.settings);
     SaoOptions options = shipped;
     options.sampling.taps.coarsest_level = 0;
     settings.push_back({"no pyramid", SaoTechnique(name, options)});
@@ -52,31 +57,16 @@ std::vector<Setting> SettingsOf(const std::string& name, double radius_m) {
     return settings;
 }
 
-}  // namespace
-
-std::vector<Pass> Timed(const Technique& technique, const TechniqueInput& in, int rounds,
-                        const PassClock& clock) {
-    technique.run(in, clock);
-    std::vector<Pass> passes;
-    std::vector<std::vector<double>> seconds;
-    for (int round = 0; round < rounds; ++round) {
-        passes = technique.run(in, clock);
-        seconds.resize(passes.size());
-        for (std::size_t k = 0; k < passes.size(); ++k) {
-            seconds[k].push_back(passes[k].seconds);
-        }
-    }
-    for (std::size_t k = 0; k < passes.size(); ++k) {
-        std::sort(seconds[k].begin(), seconds[k].end());
-        passes[k].seconds = seconds[k][seconds[k].size() / 2];
-    }
-    return passes;
+// A of the full size.
+Image<float> Whole(Image<float> A, const Setting& setting, const Mask& seen) {
+    return setting.half ? Doubled(A, seen.Width(), seen.Height()) : A;
 }
 
-std::vector<SweepPoint> SweepTechniques(const TechniqueInput& in, const ViewTruth& truth,
-                                        const std::vector<std::string>& techniques,
-                                        const SweepOptions& options, const PassClock& clock,
-                                        Monitor& monitor) {
+}  // namespace
+
+Sweep SweepTechniques(const TechniqueInput& in, const ViewTruth& truth,
+                      std::span<const ChosenTechnique> techniques, int rounds, double tolerance,
+                      const Clock& clock, Monitor& monitor) {
     const Mask seen = RegionsOf(truth).seen;
     const TruthImage& near = truth.near.at(Falloff::kHard);
     Camera half_camera = in.camera;
@@ -85,29 +75,48 @@ std::vector<SweepPoint> SweepTechniques(const TechniqueInput& in, const ViewTrut
     const GBuffer half =
         DrawGBuffer(in.scene, half_camera, {.guard_px = (in.gbuffer.view.guard_px + 1) / 2});
     const TechniqueInput in_half{half, in.scene, half_camera, in.caster};
-    std::vector<SweepPoint> points;
+
+    Sweep sweep;
+    std::vector<Setting> all;
     std::vector<TimedError> timed;
     for (std::size_t t = 0; t < techniques.size(); ++t) {
-        for (const Setting& setting : SettingsOf(techniques[t], options.radius_m)) {
-            if (monitor.Cancelled()) throw Interrupted();
-            const TechniqueInput& input = setting.half ? in_half : in;
-            const std::vector<Pass> passes =
-                Timed(setting.technique, input, options.rounds, clock);
-            Image<float> A = Shown(passes.back().A, input.gbuffer.view);
-            if (setting.half) A = Doubled(A, seen.Width(), seen.Height());
-            const ScoreAgainst score = ScoreOver(A, near, kTruthNear, "whole", seen);
-            points.push_back({.technique = techniques[t],
-                              .setting = setting.text,
-                              .seconds = TotalSeconds(passes),
-                              .rmse = score.error.rmse.value,
-                              .recalibrated_rmse = score.recalibrated_rmse.value});
-            timed.push_back({techniques[t] + ", " + setting.text, points.back().seconds,
-                             points.back().rmse});
+        const std::vector<Setting> settings = SettingsOf(techniques[t]);
+        std::vector<TechniqueTurn> turns;
+        for (const Setting& setting : settings) {
+            turns.push_back({&setting.technique, setting.half ? &in_half : &in});
+        }
+        std::vector<TimedTechnique> results = TimeTechniques(turns, rounds, clock, monitor);
+        for (std::size_t k = 0; k < settings.size(); ++k) {
+            const ScoreAgainst score =
+                ScoreOver(Whole(std::move(results[k].A), settings[k], seen), near, kTruthNear,
+                          "whole", seen);
+            sweep.points.push_back({.technique = techniques[t].name,
+                                    .setting = settings[k].text,
+                                    .seconds = results[k].seconds,
+                                    .rmse = score.error.rmse,
+                                    .recalibrated_rmse = score.recalibrated_rmse});
+            timed.push_back({techniques[t].name + ", " + settings[k].text,
+                             results[k].seconds.value, score.error.rmse.value});
+            all.push_back(settings[k]);
         }
         monitor.Progress("error against time", double(t + 1) / double(techniques.size()));
     }
-    for (const std::size_t k : ParetoFront(timed)) points[k].on_front = true;
-    return points;
+    // Only the front is compared pair by pair: its pictures are made again, those of all settings
+    // would be gigabytes.
+    const std::size_t cheapest = CheapestWithin(timed, tolerance);
+    std::vector<Contestant> front;
+    std::size_t winner = 0;
+    for (const std::size_t k : ParetoFront(timed)) {
+        sweep.points[k].on_front = true;
+        if (k == cheapest) winner = front.size();
+        const TechniqueInput& input = all[k].half ? in_half : in;
+        const std::vector<Pass> passes = all[k].technique.run(input, clock);
+        Image<float> A = Shown(passes.back().A, input.gbuffer.view);
+        front.push_back({timed[k].name, {Whole(std::move(A), all[k], seen)}});
+    }
+    const ComparedView view{&near, &seen};
+    sweep.cheapest = {timed[cheapest].name, TiesOf(winner, front, {&view, 1})};
+    return sweep;
 }
 
 }  // namespace plumb

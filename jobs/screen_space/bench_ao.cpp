@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "jobs/screen_space/sao_traffic.h"
 #include "screen_space/raster/draw_gbuffer.h"
 
 namespace plumb {
@@ -71,7 +72,8 @@ AoSizeBench BenchSize(const Scene& scene, Camera camera, const TimedSize& size,
     bench.radius_ratio = SpreadOf(Ratios(s[3], s[2]));
     bench.pyramid_ratio = SpreadOf(Ratios(s[4], s[3]));
     bench.alchemy_ratio = SpreadOf(Ratios(s[1], s[0]));
-    bench.bytes_per_pixel = BytesPerPixel(sao);
+    bench.bytes_per_pixel =
+        TotalBytes(SaoTraffic(gbuffer, sao)) / double(gbuffer.z_m.Pixels().size());
     bench.copies = bench.sao_s.median * copy_bytes_per_second /
                    (bench.bytes_per_pixel * double(gbuffer.z_m.Pixels().size()));
     return bench;
@@ -89,7 +91,7 @@ AoBench BenchAo(const Scene& scene, const Camera& camera, const AoBenchSettings&
     bench.camera = camera.name;
     bench.threads = ThreadCount();
     bench.rounds = settings.rounds;
-    bench.copy_bytes_per_second = CopyBytesPerSecond(settings.rounds, clock);
+    bench.copy_bytes_per_second = CopyRate(settings.rounds, clock).value;
     for (const TimedSize& size : settings.sizes) {
         if (monitor.Cancelled()) throw Interrupted();
         bench.sizes.push_back(

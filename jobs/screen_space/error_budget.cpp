@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
+#include "core/time_in_turns.h"
 #include "jobs/screen_space/layered_obscurance.h"
 #include "jobs/screen_space/score_technique.h"
 #include "screen_space/raster/draw_gbuffer.h"
@@ -28,140 +30,166 @@ Image<float> Filled(Image<float> image) {
 }
 
 double RmsDifference(const Image<float>& a, const Image<float>& b, const Mask& mask) {
-    double squares = 0, n = 0;
-    for (std::size_t p = 0; p < mask.Pixels().size(); ++p) {
-        if (mask.Pixels()[p] == 0) continue;
-        const double d = double(a.Pixels()[p]) - double(b.Pixels()[p]);
-        squares += d * d;
-        ++n;
-    }
-    return n > 0 ? std::sqrt(squares / n) : 0;
+    return ScoreErrors(a, b, {}, mask).rmse.value;
 }
+
+// A before any filter at the pixels of the mask, the taps many.
+Image<float> SparseObscurance(const GBuffer& gbuffer, const SaoOptions& options,
+                              const Mask& mask, Monitor& monitor) {
+    const ZPyramid pyramid = BuildZPyramid(gbuffer, options);
+    const int guard_px = gbuffer.view.guard_px;
+    Image<float> A(mask.Width(), mask.Height(), 1);
+    ParallelFor(
+        mask.Height(), 1,
+        [&](std::int64_t begin, std::int64_t end) {
+            for (int j = int(begin); j < int(end); ++j) {
+                for (int i = 0; i < mask.Width(); ++i) {
+                    if (mask(i, j) == 0) continue;
+                    A(i, j) = float(ObscuranceOfPixel(gbuffer, pyramid, options.sampling,
+                                                      i + guard_px, j + guard_px));
+                }
+            }
+        },
+        monitor, "error budget");
+    return A;
+}
+
+// A configuration that makes a whole picture, and what is said of it.
+struct WholePicture {
+    std::string step, what;
+    SaoOptions options;
+};
 
 class Budget {
   public:
-    Budget(const Scene& scene, const Camera& camera, const RayCaster& caster,
-           const ViewTruth& truth, Falloff falloff, int stride_px, const PassClock& clock)
-        : scene_(scene),
-          camera_(camera),
-          caster_(caster),
-          truth_(truth),
+    Budget(const ViewTruth& truth, Falloff falloff, int stride_px)
+        : near_(truth.near.at(Falloff::kHard)),
           weighted_(truth.near.at(falloff)),
-          mask_(Sparse(RegionsOf(truth).seen, stride_px)),
-          clock_(clock) {}
+          mask_(Sparse(RegionsOf(truth).seen, stride_px)) {}
 
-    void Row(std::string step, std::string what, const Image<float>& A, double seconds) {
+    const Mask& Pixels() const { return mask_; }
+
+    BudgetRow Row(std::string step, std::string what, const Image<float>& A) const {
         BudgetRow row;
         row.step = std::move(step);
         row.what = std::move(what);
-        row.score = ScoreOver(A, weighted_, kTruthWeighted, "whole", mask_);
+        row.score = ScoreOver(A, near_, kTruthNear, "whole", mask_);
+        row.weighted = ScoreOver(A, weighted_, kTruthWeighted, "whole", mask_);
         row.rms_change = last_.Empty() ? 0 : RmsDifference(A, last_, mask_);
-        row.seconds = seconds;
-        row.pixels = row.score.error.pixels;
+        return row;
+    }
+
+    void Add(std::string step, std::string what, const Image<float>& A) {
+        rows.push_back(Row(std::move(step), std::move(what), A));
         last_ = A;
-        rows.push_back(std::move(row));
     }
 
-    void Ideal() {
-        // Against itself it has no error; what its falloff costs is its distance from V within r.
-        Row("ideal", "visibility weighted by the falloff, path-traced", weighted_.value, 0);
-        rows.back().score = ScoreOver(weighted_.value, truth_.near.at(Falloff::kHard),
-                                      kTruthNear, "whole", mask_);
-    }
-
-    GBuffer Draw(int guard_px) const {
-        return DrawGBuffer(scene_, camera_, {.guard_px = guard_px});
-    }
-
-    void AllLayers(const GBuffer& gbuffer, const SaoOptions& options, int stride_px,
-                   Monitor& monitor) {
-        const TechniqueInput in{gbuffer, scene_, camera_, caster_};
-        const double begin_s = clock_();
-        const Image<float> A =
-            LayeredObscurance(in, options, {.stride_px = stride_px}, monitor);
-        Row("estimator", "the estimator's integral over all layers of depth", Filled(A),
-            clock_() - begin_s);
-    }
-
-    void Sao(std::string step, std::string what, const GBuffer& gbuffer,
-             const SaoOptions& options) {
-        const double begin_s = clock_();
-        const Image<float> A = SaoObscurance(gbuffer, options);
-        const double seconds = clock_() - begin_s;
-        Row(std::move(step), std::move(what), Shown(A, gbuffer.view), seconds);
+    void AddIdeal() {
+        Add("ideal", "visibility weighted by the falloff, path-traced", weighted_.value);
+        rows.back().score =
+            ScoreOver(weighted_.value, {near_.value, {}}, kTruthNear, "whole", mask_);
     }
 
     std::vector<BudgetRow> rows;
 
   private:
-    const Scene& scene_;
-    const Camera& camera_;
-    const RayCaster& caster_;
-    const ViewTruth& truth_;
+    const TruthImage& near_;
     const TruthImage& weighted_;
     Mask mask_;
-    const PassClock& clock_;
     Image<float> last_;
 };
 
+// The steps after the integrals, each switched on after the other.
+std::vector<WholePicture> StepsTo(const SaoOptions& shipped) {
+    SaoOptions now = shipped;
+    now.sampling.taps.coarsest_level = 0;
+    now.quad_filter = now.pack_rgb8 = now.blur_x = now.blur_y = false;
+    std::vector<WholePicture> steps;
+    steps.push_back(
+        {"taps", std::to_string(shipped.sampling.taps.samples) + " taps a pixel", now});
+    now.sampling.taps.coarsest_level = shipped.sampling.taps.coarsest_level;
+    steps.push_back({"pyramid", "taps read the z pyramid", now});
+    const auto on = [&](bool SaoOptions::*pass, const char* step, const char* what) {
+        if (!(shipped.*pass)) return;
+        now.*pass = true;
+        steps.push_back({step, what, now});
+    };
+    on(&SaoOptions::quad_filter, "quads", "2 x 2 quads averaged");
+    on(&SaoOptions::pack_rgb8, "RGB8", "A and z packed into 8-bit channels");
+    on(&SaoOptions::blur_x, "filter x", "bilateral filter along x");
+    on(&SaoOptions::blur_y, "filter y", "bilateral filter along y: as shipped");
+    return steps;
+}
+
+// As shipped, the taps many and nothing after them.
+SaoOptions Integral(const SaoOptions& shipped, int many_taps) {
+    SaoOptions options = shipped;
+    options.sampling.taps.samples = many_taps;
+    options.sampling.taps.turns = 0;
+    options.sampling.taps.phi = PhiArithmetic::kExact;
+    options.sampling.taps.coarsest_level = 0;
+    options.sampling.normals = NormalSource::kFace;
+    options.quad_filter = options.pack_rgb8 = options.blur_x = options.blur_y = false;
+    return options;
+}
+
 }  // namespace
 
-std::vector<BudgetRow> MakeErrorBudget(const SaoOptions& shipped, const Scene& scene,
-                                       const Camera& camera, const RayCaster& caster,
-                                       const ViewTruth& truth, const BudgetOptions& options,
-                                       const PassClock& clock, Monitor& monitor) {
-    const Falloff falloff = FalloffOf(shipped.sampling.sao.falloff);
-    Budget budget(scene, camera, caster, truth, falloff, options.stride_px, clock);
-    budget.Ideal();
-
-    SaoOptions now = shipped;
-    now.sampling.taps.samples = options.many_taps;
-    now.sampling.taps.turns = 0;
-    now.sampling.taps.phi = PhiArithmetic::kExact;
-    now.sampling.taps.coarsest_level = 0;
-    now.sampling.normals = NormalSource::kFace;
-    now.quad_filter = now.pack_rgb8 = now.blur_x = now.blur_y = false;
-    const int wide_px = std::max(options.guard_px,
-                                 int(std::lround(options.wide_guard_share * camera.height_px)));
-    const GBuffer wide = budget.Draw(wide_px);
-    budget.AllLayers(wide, now, options.stride_px, monitor);
-    budget.Sao("one layer", "the depth buffer's nearest surface only", wide, now);
-    monitor.Progress("error budget", 0.4);
-    const GBuffer gbuffer = budget.Draw(options.guard_px);
-    budget.Sao("border", "a guard band of " + std::to_string(options.guard_px) + " px", gbuffer,
-               now);
-    now.sampling.normals = shipped.sampling.normals;
-    budget.Sao("normals",
+ErrorBudget MakeErrorBudget(const SaoOptions& shipped, const Scene& scene, const Camera& camera,
+                            const RayCaster& caster, const ViewTruth& truth,
+                            const BudgetOptions& options, const Clock& clock,
+                            Monitor& monitor) {
+    Budget budget(truth, FalloffOf(shipped.sampling.sao.falloff), options.stride_px);
+    budget.AddIdeal();
+    const GBuffer gbuffer = DrawGBuffer(scene, camera, {.guard_px = options.guard_px});
+    SaoOptions integral = Integral(shipped, options.many_taps);
+    {
+        const int wide_px = std::max(
+            options.guard_px, int(std::lround(options.wide_guard_share * camera.height_px)));
+        const GBuffer wide = DrawGBuffer(scene, camera, {.guard_px = wide_px});
+        SaoOptions aligned = integral;
+        aligned.sampling.taps.hash_shift_px = options.guard_px - wide_px;
+        budget.Add("estimator", "the estimator's integral over all layers of depth",
+                   Filled(LayeredObscurance({wide, scene, camera, caster}, aligned,
+                                            {.stride_px = options.stride_px}, monitor)));
+        budget.Add("one layer", "the depth buffer's nearest surface only",
+                   SparseObscurance(wide, aligned, budget.Pixels(), monitor));
+    }
+    budget.Add("border", "no more of a border than the shipped picture's",
+               SparseObscurance(gbuffer, integral, budget.Pixels(), monitor));
+    integral.sampling.normals = shipped.sampling.normals;
+    budget.Add("normals",
                shipped.sampling.normals == NormalSource::kDepth ? "normals made from depth"
                                                                 : "the normals as shipped",
-               gbuffer, now);
-    monitor.Progress("error budget", 0.8);
-    now.sampling.taps = shipped.sampling.taps;
-    now.sampling.taps.coarsest_level = 0;
-    budget.Sao("taps", std::to_string(shipped.sampling.taps.samples) + " taps a pixel", gbuffer,
-               now);
-    now.sampling.taps.coarsest_level = shipped.sampling.taps.coarsest_level;
-    budget.Sao("pyramid", "taps read the z pyramid", gbuffer, now);
-    if (shipped.quad_filter) {
-        now.quad_filter = true;
-        budget.Sao("quads", "2 x 2 quads averaged", gbuffer, now);
+               SparseObscurance(gbuffer, integral, budget.Pixels(), monitor));
+
+    std::vector<WholePicture> steps = StepsTo(shipped);
+    const std::size_t first_whole = budget.rows.size();
+    for (const WholePicture& step : steps) {
+        budget.Add(step.step, step.what,
+                   Shown(SaoObscurance(gbuffer, step.options), gbuffer.view));
     }
-    if (shipped.pack_rgb8) {
-        now.pack_rgb8 = true;
-        budget.Sao("RGB8", "A and z packed into 8-bit channels", gbuffer, now);
+    const GBuffer borderless = DrawGBuffer(scene, camera, {.guard_px = 0});
+    SaoOptions without = shipped;
+    without.sampling.taps.hash_shift_px = options.guard_px;
+    ErrorBudget result;
+    result.no_border = budget.Row("no border", "as shipped, but without a guard band",
+                                  SaoObscurance(borderless, without));
+
+    SaoScratch scratch;  // As an engine keeps its targets.
+    std::vector<Turn> turns;
+    for (const WholePicture& step : steps) {
+        turns.push_back({[&, &with = step.options] { SaoObscurance(gbuffer, with, scratch); }});
     }
-    if (shipped.blur_x) {
-        now.blur_x = true;
-        budget.Sao("filter x", "bilateral filter along x", gbuffer, now);
+    turns.push_back({[&] { SaoObscurance(borderless, without, scratch); }});
+    const TurnTimes times = TimeInTurns(turns, options.rounds, clock, monitor);
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        budget.rows[first_whole + k].seconds = times.Seconds(k);
     }
-    if (shipped.blur_y) {
-        now.blur_y = true;
-        budget.Sao("filter y", "bilateral filter along y: as shipped", gbuffer, now);
-    }
-    // Not a step on the way, but what the guard band saves.
-    budget.Sao("no border", "as shipped, but without a guard band", budget.Draw(0), now);
-    monitor.Progress("error budget", 1);
-    return std::move(budget.rows);
+    result.no_border.seconds = times.Seconds(steps.size());
+    result.rows = std::move(budget.rows);
+    result.pixels = CountOf(budget.Pixels());
+    return result;
 }
 
 }  // namespace plumb

@@ -1,19 +1,25 @@
 // Where SAO's error comes from: one approximation switched on at a time, from the ideal to the
 // shipped.
 //
-//       visibility weighted by the falloff, path-traced          the ideal
-//       the estimator on full geometry, every layer of depth     as many taps as the next
-//       one layer of depth, a wide border, many taps
-//       the border of the shipped picture; then none
-//       s taps
-//       the z pyramid
-//       2 x 2 quads;  A and z in RGB8;  the filter along x, along y
+//       ideal       visibility weighted by the technique's falloff, path-traced
+//       estimator   its integral over all layers of depth
+//       one layer   the nearest surface only, a wide border
+//       border      that of the shipped picture
+//       normals, s taps, the z pyramid, 2 x 2 quads, RGB8, the filter along x, along y
 //
-// Each row is scored against V within r, weighted by the technique's own falloff, over the same
-// pixels: those of every `stride`-th column and row, because many taps and all layers are dear.
-// `rms_change` is how far a step moves the picture itself, whatever the truth.
+// Every row is scored against V within r, what a user wants, and beside it against that weighted by
+// the falloff, what the technique means to compute. So the first row is what the falloff costs, each
+// other adds what its step costs, and the last is the shipped technique. All rows count the same
+// pixels, those of every `stride_px`-th column and row, because integrals are dear: there `many_taps`
+// stand for the integral. `rms_change` is how far a step moves the picture itself.
+//
+// What the border saves is not a step on the way: `no_border` is the last row without one.
+//
+// Beware   The ideal and V within r come of the same rays, so that most of their noise cancels in
+//          their difference: nothing is taken off in the first row.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "jobs/screen_space/technique.h"
@@ -23,16 +29,22 @@
 namespace plumb {
 
 struct BudgetOptions {
-    int many_taps = 1024;            ///< In place of an integral over the disc. [1, 4096]
-    int stride_px = 4;               ///< Of the pixels scored. [1, 4096]
+    int many_taps = 4096;            ///< In place of an integral over the disc. [1, 4096]
+    int stride_px = 8;               ///< Of the pixels scored. [1, 4096]
     int guard_px = 96;               ///< As shipped. >= 0
     double wide_guard_share = 0.25;  ///< Of the picture's height, in place of no border. [0, 1]
+    int rounds = 5;                  ///< Of every timing. [1, 1000]
 };
 
-std::vector<BudgetRow> MakeErrorBudget(const SaoOptions& shipped, const Scene& scene,
-                                       const Camera& camera, const RayCaster& caster,
-                                       const ViewTruth& truth, const BudgetOptions& options,
-                                       const PassClock& clock,
-                                       Monitor& monitor = SilentMonitor());
+struct ErrorBudget {
+    std::vector<BudgetRow> rows;
+    BudgetRow no_border;
+    std::int64_t pixels = 0;  ///< Scored.
+};
+
+ErrorBudget MakeErrorBudget(const SaoOptions& shipped, const Scene& scene, const Camera& camera,
+                            const RayCaster& caster, const ViewTruth& truth,
+                            const BudgetOptions& options, const Clock& clock,
+                            Monitor& monitor = SilentMonitor());
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/time_in_turns.h"
 #include "jobs/screen_space/score_technique.h"
 #include "screen_space/raster/draw_gbuffer.h"
 
@@ -22,25 +23,36 @@ std::vector<int> GuardWidths(int height_px, const SaoOptions& options) {
 
 std::vector<GuardRow> StudyGuardBand(const Scene& scene, const Camera& camera,
                                      const ViewTruth& truth, const SaoOptions& options,
-                                     const PassClock& clock) {
+                                     int rounds, const Clock& clock, Monitor& monitor) {
     const Mask border = RegionsOf(truth).border;
     const TruthImage& weighted = truth.near.at(FalloffOf(options.sampling.sao.falloff));
     const std::vector<int> widths_px = GuardWidths(camera.height_px, options);
+    Rasterizer rasterizer;
+    GBuffer gbuffer;  // Its memory, and the passes', are used again, as an engine would.
+    SaoScratch scratch;
     std::vector<GuardRow> rows;
     std::vector<Image<float>> pictures;
+    std::vector<Turn> turns;
     for (const int guard_px : widths_px) {
-        SaoOptions aligned = options;
-        aligned.sampling.taps.hash_shift_px = widths_px.back() - guard_px;
         GuardRow row;
         row.share = double(guard_px) / camera.height_px;
         row.guard_px = guard_px;
-        const double begin_s = clock();
-        const GBuffer gbuffer = DrawGBuffer(scene, camera, {.guard_px = guard_px});
-        const double drawn_s = clock();
-        pictures.push_back(Shown(SaoObscurance(gbuffer, aligned), gbuffer.view));
-        row.sao_s = clock() - drawn_s;
-        row.draw_s = drawn_s - begin_s;
         rows.push_back(std::move(row));
+        SaoOptions aligned = options;
+        aligned.sampling.taps.hash_shift_px = widths_px.back() - guard_px;
+        const auto draw = [&, guard_px] {
+            DrawGBuffer(rasterizer, scene, camera, {.guard_px = guard_px}, gbuffer);
+        };
+        const auto sao = [&, aligned] { SaoObscurance(gbuffer, aligned, scratch); };
+        draw();
+        pictures.push_back(Shown(SaoObscurance(gbuffer, aligned, scratch), gbuffer.view));
+        turns.push_back({draw});
+        turns.push_back({sao});  // Of what was drawn just before it.
+    }
+    const TurnTimes times = TimeInTurns(turns, rounds, clock, monitor);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        rows[k].draw_s = times.Seconds(2 * k);
+        rows[k].sao_s = times.Seconds(2 * k + 1);
     }
     if (CountOf(border) == 0) return rows;
     for (std::size_t k = 0; k < rows.size(); ++k) {

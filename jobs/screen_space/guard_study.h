@@ -21,9 +21,10 @@ namespace plumb {
 /// the height.
 std::vector<int> GuardWidths(int height_px, const SaoOptions& options);
 
-/// One row a width. `truth` must hold the falloff of `options`.
+/// One row a width. `truth` must hold the falloff of `options`. `rounds` of every timing.
 std::vector<GuardRow> StudyGuardBand(const Scene& scene, const Camera& camera,
                                      const ViewTruth& truth, const SaoOptions& options,
-                                     const PassClock& clock);
+                                     int rounds, const Clock& clock,
+                                     Monitor& monitor = SilentMonitor());
 
 }  // namespace plumb

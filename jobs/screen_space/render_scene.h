@@ -28,7 +28,7 @@ struct RenderResult {
     std::vector<std::filesystem::path> pictures;
 };
 
-/// 128 px at 720 rows and in proportion [McGuire12 table 2], if `guard_px` is -1.
+/// 128 px at 720 rows and in proportion [McGuire12 table 3], if `guard_px` is -1.
 int GuardPx(int guard_px, int height_px);
 
 /// Writes render.exr (depth_m, normal.xyz, albedo.RGB, triangle_bits and A after every pass) and a

@@ -13,16 +13,15 @@
 #include "io/whole_file.h"
 #include "jobs/pictures.h"
 #include "jobs/screen_space/ao_sweep.h"
-#include "jobs/screen_space/ao_times.h"
+#include "jobs/screen_space/chosen_technique.h"
 #include "jobs/screen_space/error_budget.h"
 #include "jobs/screen_space/guard_study.h"
 #include "jobs/screen_space/pyramid_study.h"
 #include "jobs/screen_space/render_scene.h"
+#include "jobs/screen_space/scene_views.h"
 #include "jobs/screen_space/score_technique.h"
 #include "jobs/screen_space/signed_picture.h"
-#include "jobs/screen_space/temporal_study.h"
-#include "jobs/screen_space/z_precision.h"
-#include "score/pareto.h"
+#include "jobs/screen_space/time_techniques.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "screen_space/sao/sao_presets.h"
 #include "truth/embree_caster.h"
@@ -31,22 +30,10 @@
 namespace plumb {
 namespace {
 
-double RmsError(const TruthImage& truth, const Mask& mask) {
-    double squares = 0, n = 0;
-    for (std::size_t p = 0; p < mask.Pixels().size(); ++p) {
-        if (mask.Pixels()[p] == 0) continue;
-        const double error = truth.standard_error.Pixels()[p];
-        squares += error * error;
-        ++n;
-    }
-    return n > 0 ? std::sqrt(squares / n) : 0;
-}
-
 // Bare occlusion rays a second: cosine-weighted from the view's own pixels, all threads.
-double BareRaysPerSecond(const EmbreeCaster& caster, const Scene& scene,
-                         const PixelGeometry& pixels, int rounds, const PassClock& clock) {
+Measured BareRaysPerSecond(const EmbreeCaster& caster, const Scene& scene,
+                           const PixelGeometry& pixels, int rounds, const Clock& clock) {
     constexpr std::size_t kRays = 1 << 20;
-    if (pixels.receivers.empty()) return 0;
     std::vector<Ray> rays(kRays);
     for (std::size_t k = 0; k < kRays; ++k) {
         const Receiver& receiver = pixels.receivers[k * pixels.receivers.size() / kRays];
@@ -59,17 +46,15 @@ double BareRaysPerSecond(const EmbreeCaster& caster, const Scene& scene,
                 .cast<float>();
     }
     const EmbreeBareLoop loop(caster, rays);
-    std::vector<double> seconds;
-    for (int round = 0; round <= rounds; ++round) {
-        const double begin_s = clock();
+    const auto cast = [&] {
         ParallelFor(std::int64_t(kRays), 4096, [&](std::int64_t begin, std::int64_t end) {
             loop.Any(std::size_t(begin), std::size_t(end));
         });
-        if (round > 0) seconds.push_back(clock() - begin_s);
-    }
-    std::sort(seconds.begin(), seconds.end());
-    return double(kRays) / seconds[seconds.size() / 2];
+    };
+    return TimeInTurns({{cast}}, rounds, clock).Rate(0, double(kRays));
 }
+
+constexpr int kLeastSpp = 16;  // Two points in each net of a truth.
 
 // A page holds some thirty pictures: they are half this wide on it at most.
 constexpr int kMostPictureColumns = 560;
@@ -81,73 +66,130 @@ std::vector<Falloff> FalloffsOf(const std::vector<Technique>& techniques,
     return {falloffs.begin(), falloffs.end()};
 }
 
+std::vector<Camera> CamerasOf(const Scene& scene, const SceneReportJob& job) {
+    std::vector<Camera> cameras;
+    for (const std::string& name : job.cameras) cameras.push_back(CameraNamed(scene, name));
+    if (job.cameras.empty()) {
+        CameraNamed(scene, "");  // Says that there is none.
+        cameras = scene.cameras;
+    }
+    for (std::size_t k = 0; k < cameras.size(); ++k) {
+        Camera& camera = cameras[k];
+        if (job.width_px != 0) camera.width_px = job.width_px;
+        if (job.height_px != 0) camera.height_px = job.height_px;
+        Validate(camera, scene.name + ": camera " + camera.name);
+        for (std::size_t other = 0; other < k; ++other) {
+            if (cameras[other].name == camera.name) {
+                throw Error("camera = " + camera.name + ", given twice");
+            }
+        }
+    }
+    return cameras;
+}
+
+std::string BudgetTechnique(const SceneReportJob& job) {
+    return job.budget == "alchemy" ? job.budget : "sao-" + job.budget;
+}
+
+int OtherSpp(const SceneReportJob& job) {
+    return job.other_spp != 0 ? job.other_spp : std::max(kLeastSpp, job.spp / 4);
+}
+
+void AddStudies(const LoadedScene& loaded, const SceneReportJob& job,
+                std::span<const ChosenTechnique> chosen, const SaoOptions& budget,
+                const EmbreeCaster& caster, const MeasuredView& view, SceneReport& report,
+                const Clock& clock, Monitor& monitor) {
+    const Scene& scene = loaded.scene;
+    const Camera& camera = view.camera;
+    const TechniqueInput in{view.gbuffer, scene, camera, caster};
+    const BudgetOptions options{.stride_px = job.budget_stride_px,
+                                .guard_px = view.summary.guard_px,
+                                .rounds = job.rounds};
+    ErrorBudget made =
+        MakeErrorBudget(budget, scene, camera, caster, view.truth, options, clock, monitor);
+    report.budget_technique = BudgetTechnique(job);
+    report.budget_taps = options.many_taps;
+    report.budget_pixels = made.pixels;
+    report.budget = std::move(made.rows);
+    report.no_border = std::move(made.no_border);
+    report.pyramids = StudyPyramid(in, view.truth, budget);
+    report.guards =
+        StudyGuardBand(scene, camera, view.truth, budget, job.rounds, clock, monitor);
+    Sweep sweep = SweepTechniques(in, view.truth, chosen, job.rounds, report.cheapest_within,
+                                  clock, monitor);
+    report.sweep = std::move(sweep.points);
+    report.cheapest = std::move(sweep.cheapest);
+    const auto sao = [&](const std::string& technique, const std::string& preset) {
+        return NamedSao{preset,
+                        SaoWith(preset, Chosen(loaded, technique, job.radius_m).settings)};
+    };
+    const NamedSao saos[] = {sao("sao-supplement2012", "supplement2012"),
+                             sao("alchemy", "alchemy")};
+    report.times = TimePasses(scene, camera, caster, saos, job.sizes, job.rounds,
+                              report.copy_bytes_per_second.value, clock, monitor);
+    report.radii_width_px = job.radii_size.width_px;
+    report.radii_height_px = job.radii_size.height_px;
+    report.radii = TimeRadii(scene, camera, job.radii_size, job.rounds, clock, monitor);
+    TemporalOptions temporal = job.flicker;
+    temporal.radius_m = report.radius_m;
+    temporal.seed = job.seed;
+    report.temporal_frames = temporal.frames;
+    report.temporal = StudyFlicker(scene, camera, caster, chosen, temporal, clock, monitor);
+    report.precision = StudyZPrecision(scene, job.precision, monitor);
+}
+
 }  // namespace
 
 void Validate(const SceneReportJob& job) {
-    Validate(TechniqueSettings{.radius_m = job.radius_m});
+    Validate(TechniqueSettings{.radius_m = job.radius_m.value_or(kReportRadiusM)});
     GuardPx(job.guard_px, 1);
     if (job.rounds < 1 || job.rounds > 1000) {
         throw Error(MustBe("rounds", job.rounds, "in [1, 1000]"));
     }
+    Validate(ViewTruthOptions{.spp = job.spp});
+    Validate(ViewTruthOptions{.spp = OtherSpp(job)});
     SaoPresetNamed(job.budget);
     for (const std::string& name : job.techniques) TechniqueNamed(name);
 }
 
 SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
                         const std::string& tool_version, const std::string& command,
-                        const PassClock& clock, Monitor& monitor) {
+                        const Clock& clock, Monitor& monitor) {
     Validate(job);
     const Scene& scene = loaded.scene;
-    Camera camera = CameraNamed(scene, job.camera);
-    if (job.width_px != 0) camera.width_px = job.width_px;
-    if (job.height_px != 0) camera.height_px = job.height_px;
-    Validate(camera, scene.name + ": camera " + camera.name);
-    const int guard_px = GuardPx(job.guard_px, camera.height_px);
-    const std::vector<std::string> names =
-        job.techniques.empty() ? TechniqueNames() : job.techniques;
+    const std::vector<Camera> cameras = CamerasOf(scene, job);
+    std::vector<ChosenTechnique> chosen;
     std::vector<Technique> techniques;
-    for (const std::string& name : names) {
-        techniques.push_back(
-            TechniqueNamed(name, SettingsOf(loaded, name, {.radius_m = job.radius_m})));
+    for (const std::string& name : job.techniques.empty() ? TechniqueNames() : job.techniques) {
+        chosen.push_back(Chosen(loaded, name, job.radius_m));
+        techniques.push_back(chosen.back().Made());
     }
-    const SaoOptions budget = SaoWith(job.budget, {.radius_m = job.radius_m});
+    const SaoOptions budget =
+        SaoWith(job.budget, Chosen(loaded, BudgetTechnique(job), job.radius_m).settings);
 
     SceneReport report;
     report.tool_version = tool_version;
     report.command = command;
     report.scene = scene.name;
     report.scene_sha256 = loaded.digest;
-    report.camera = camera.name;
-    report.width_px = camera.width_px;
-    report.height_px = camera.height_px;
-    report.guard_px = guard_px;
     report.threads = ThreadCount();
+    report.rounds = job.rounds;
     report.seed = job.seed;
-    report.radius_m = job.radius_m;
+    report.radius_m = job.radius_m.value_or(kReportRadiusM);
     report.notes = loaded.notes;
-    report.pixels = std::int64_t(camera.width_px) * camera.height_px;
 
     const EmbreeCaster caster(scene);
     report.triangles = caster.Counts().triangles;
-    const double truth_begin_s = clock();
-    const ViewTruth truth =
-        MeasureViewTruth(caster, scene, camera, FalloffsOf(techniques, budget),
-                         {.radius_m = job.radius_m, .spp = job.spp, .seed = job.seed}, monitor);
-    const Regions regions = RegionsOf(truth);
-    report.seen = CountOf(regions.seen);
-    if (report.seen == 0) {
-        throw Error(scene.name + ": camera " + camera.name +
-                    " sees no surface: there is nothing to score");
+    std::vector<MeasuredView> views;
+    for (const Camera& camera : cameras) {
+        const int spp = views.empty() ? job.spp : OtherSpp(job);
+        views.push_back(MeasureView(scene, camera, GuardPx(job.guard_px, camera.height_px),
+                                    caster, FalloffsOf(techniques, budget),
+                                    {.radius_m = report.radius_m, .spp = spp, .seed = job.seed},
+                                    clock, monitor));
     }
-    const TruthImage& near = truth.near.at(Falloff::kHard);
-    report.truth = {.spp = job.spp,
-                    .nets = kTruthNets,
-                    .seconds = clock() - truth_begin_s,
-                    .rms_error_V = RmsError(truth.V, regions.seen),
-                    .rms_error_near = RmsError(near, regions.seen),
-                    .lost = truth.lost.All(),
-                    .picture_V = {},
-                    .picture_near = {}};
+    const MeasuredView& first = views.front();
+    const TruthImage& near = first.truth.near.at(Falloff::kHard);
     const auto picture = [&](const std::string& name, const auto& image) -> std::string {
         if (job.pictures.empty()) return {};
         WritePreview(job.pictures / (name + ".png"), image);
@@ -155,63 +197,58 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
         WritePreview(small, Smaller(image, kMostPictureColumns));
         return PngDataUri(small);
     };
-    report.truth.picture_V = picture("truth_v", truth.V.value);
-    report.truth.picture_near = picture("truth_near", near.value);
+    for (const MeasuredView& view : views) report.views.push_back(view.summary);
+    report.views.front().truth.picture_V = picture("truth_v", first.truth.V.value);
+    report.views.front().truth.picture_near = picture("truth_near", near.value);
     report.embree_rays_per_second =
-        BareRaysPerSecond(caster, scene, truth.pixels, job.rounds, clock);
-    report.copy_bytes_per_second = CopyBytesPerSecond(job.rounds, clock);
-
-    const RasterOptions raster{.guard_px = guard_px};
+        BareRaysPerSecond(caster, scene, first.truth.pixels, job.rounds, clock);
+    report.copy_bytes_per_second = CopyRate(job.rounds, clock);
     Rasterizer rasterizer;
-    GBuffer gbuffer;
-    std::vector<double> raster_s;
-    for (int round = 0; round <= job.rounds; ++round) {
-        const double begin_s = clock();
-        DrawGBuffer(rasterizer, scene, camera, raster, gbuffer);
-        if (round > 0) raster_s.push_back(clock() - begin_s);  // The first warms up.
-    }
-    std::sort(raster_s.begin(), raster_s.end());
-    report.raster_s = raster_s[raster_s.size() / 2];
-    const TechniqueInput in{gbuffer, scene, camera, caster};
+    GBuffer again;
+    const auto draw = [&] {
+        DrawGBuffer(rasterizer, scene, first.camera, {.guard_px = first.summary.guard_px},
+                    again);
+    };
+    report.raster_s = TimeInTurns({{draw}}, job.rounds, clock, monitor).Seconds(0);
 
+    const TechniqueInput in{first.gbuffer, scene, first.camera, caster};
+    std::vector<TechniqueTurn> turns;
+    for (const Technique& technique : techniques) turns.push_back({&technique, &in});
+    std::vector<TimedTechnique> timed = TimeTechniques(turns, job.rounds, clock, monitor);
     for (std::size_t t = 0; t < techniques.size(); ++t) {
-        const std::vector<Pass> passes = Timed(techniques[t], in, job.rounds, clock);
         TechniqueScore score;
         score.name = techniques[t].name;
         score.falloff = NameOf(techniques[t].falloff);
         score.samples = techniques[t].samples;
-        for (const Pass& pass : passes) score.passes.push_back({pass.name, pass.seconds});
-        score.seconds = TotalSeconds(passes);
-        const Image<float> A = Shown(passes.back().A, gbuffer.view);
-        score.scores = ScoreAll(A, truth, regions, techniques[t].falloff);
-        score.picture = picture(score.name, A);
-        score.signed_error =
-            picture(score.name + "_error", SignedPicture(A, near.value, regions.seen));
+        score.passes = timed[t].passes;
+        score.seconds = timed[t].seconds;
+        score.picture = picture(score.name, timed[t].A);
+        score.signed_error = picture(score.name + "_error",
+                                     SignedPicture(timed[t].A, near.value, first.regions.seen));
         report.techniques.push_back(std::move(score));
-        if (monitor.Cancelled()) throw Interrupted();
-        monitor.Progress("techniques", double(t + 1) / double(techniques.size()));
     }
-    if (!job.studies) return report;
-
-    report.budget_technique = "sao-" + job.budget;
-    report.budget = MakeErrorBudget(budget, scene, camera, caster, truth,
-                                    {.guard_px = guard_px}, clock, monitor);
-    report.pyramids = StudyPyramid(in, truth, budget);
-    report.guards = StudyGuardBand(scene, camera, truth, budget, clock);
-    report.sweep =
-        SweepTechniques(in, truth, names, {.radius_m = job.radius_m}, clock, monitor);
-    std::vector<TimedError> points;
-    for (const SweepPoint& p : report.sweep) {
-        points.push_back({p.technique + ", " + p.setting, p.seconds, p.rmse});
+    ViewBoard board(report.techniques);
+    double done = 0;
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        for (std::size_t t = 0; t < techniques.size(); ++t) {
+            if (monitor.Cancelled()) throw Interrupted();
+            Image<float> A = std::move(timed[t].A);
+            if (v > 0) {
+                A = Shown(techniques[t]
+                              .run({views[v].gbuffer, scene, views[v].camera, caster}, clock)
+                              .back()
+                              .A,
+                          views[v].gbuffer.view);
+            }
+            board.Add(t, views[v], techniques[t].falloff, std::move(A));
+            monitor.Progress("scores",
+                             ++done / double(views.size()) / double(techniques.size()));
+        }
     }
-    report.cheapest = points[CheapestWithin(points, report.cheapest_within)].name;
-    report.times = TimePasses(scene, camera, caster, job.radius_m, job.rounds,
-                              report.copy_bytes_per_second, clock, monitor);
-    report.radii = TimeRadii(scene, camera, {1920, 1080, 192}, job.rounds, clock, monitor);
-    const TemporalOptions temporal{.radius_m = job.radius_m, .seed = job.seed};
-    report.temporal_frames = temporal.frames;
-    report.temporal = StudyFlicker(scene, camera, caster, names, temporal, clock, monitor);
-    report.precision = StudyZPrecision(scene, {}, monitor);
+    board.Finish(views, report);
+    if (job.studies) {
+        AddStudies(loaded, job, chosen, budget, caster, first, report, clock, monitor);
+    }
     return report;
 }
 

@@ -1,6 +1,7 @@
 // One picture against every truth of its view, over every region.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,20 @@ std::string NameOf(Falloff falloff);
 /// Regions of the shown picture, from the truth's own depths and normals.
 Regions RegionsOf(const ViewTruth& truth);
 
-/// One truth, one region, all figures.
+/// One truth, one region, all figures but SSIM. `recalibrated`, if it is given, becomes A as its
+/// best monotone change of contrast leaves it (score/recalibration.h).
 ScoreAgainst ScoreOver(const Image<float>& A, const TruthImage& truth, const std::string& name,
-                       const std::string& region, const Mask& mask);
+                       const std::string& region, const Mask& mask,
+                       Image<float>* recalibrated = nullptr);
 
 /// V, V within r, and V within r weighted by `falloff`, each over whole, edges, interiors and
-/// border. Regions without a pixel are left out.
+/// border. Regions without a pixel are left out. `recalibrated` to V within r over the whole.
 std::vector<ScoreAgainst> ScoreAll(const Image<float>& A, const ViewTruth& truth,
-                                   const Regions& regions, Falloff falloff);
+                                   const Regions& regions, Falloff falloff,
+                                   Image<float>* recalibrated = nullptr);
+
+/// The same of several views as one: every truth and region that some view has, each over the views
+/// that have it (score/over_views.h).
+std::vector<ScoreAgainst> OverViews(std::span<const ViewScores> views);
 
 }  // namespace plumb

@@ -24,8 +24,8 @@ Camera Turned(const Camera& camera, const Vec2& shift_px) {
 
 std::vector<TemporalRow> StudyFlicker(const Scene& scene, const Camera& camera,
                                       const RayCaster& caster,
-                                      const std::vector<std::string>& techniques,
-                                      const TemporalOptions& options, const PassClock& clock,
+                                      std::span<const ChosenTechnique> techniques,
+                                      const TemporalOptions& options, const Clock& clock,
                                       Monitor& monitor) {
     if (options.frames < 2 || options.frames > 1024) {
         throw Error(MustBe("TemporalOptions::frames", options.frames, "in [2, 1024]"));
@@ -52,8 +52,7 @@ std::vector<TemporalRow> StudyFlicker(const Scene& scene, const Camera& camera,
         const GBuffer gbuffer = DrawGBuffer(scene, at, {.guard_px = options.guard_px});
         for (std::size_t t = 0; t < techniques.size(); ++t) {
             const std::vector<Pass> passes =
-                TechniqueNamed(techniques[t], {.radius_m = options.radius_m})
-                    .run({gbuffer, scene, at, caster}, clock);
+                techniques[t].Made().run({gbuffer, scene, at, caster}, clock);
             frames[t].push_back(Shown(passes.back().A, gbuffer.view));
         }
         if (monitor.Cancelled()) throw Interrupted();
@@ -61,8 +60,8 @@ std::vector<TemporalRow> StudyFlicker(const Scene& scene, const Camera& camera,
     }
     std::vector<TemporalRow> rows;
     for (std::size_t t = 0; t < techniques.size(); ++t) {
-        rows.push_back({techniques[t], ScoreTemporal(frames[t], truths, errors, seen,
-                                                     {.truth_dof = kTruthNets - 1.0})});
+        rows.push_back({techniques[t].name, ScoreTemporal(frames[t], truths, errors, seen,
+                                                          {.truth_dof = kTruthNets - 1.0})});
     }
     return rows;
 }

@@ -4,10 +4,10 @@
 // middle; every frame has a truth with a seed of its own (score/temporal.h).
 #pragma once
 
-#include <string>
+#include <span>
 #include <vector>
 
-#include "jobs/screen_space/technique.h"
+#include "jobs/screen_space/chosen_technique.h"
 #include "reports/scene_report.h"
 
 namespace plumb {
@@ -15,15 +15,15 @@ namespace plumb {
 struct TemporalOptions {
     int frames = 16;  ///< [2, 1024]
     int width_px = 480, height_px = 270, guard_px = 48;
-    int spp = 64;  ///< Of every frame's truth: a power of two.
-    double radius_m = 1.5;
+    int spp = 64;           ///< Of every frame's truth: a power of two.
+    double radius_m = 1.5;  ///< Of the truth.
     std::uint64_t seed = 1;
 };
 
 std::vector<TemporalRow> StudyFlicker(const Scene& scene, const Camera& camera,
                                       const RayCaster& caster,
-                                      const std::vector<std::string>& techniques,
-                                      const TemporalOptions& options, const PassClock& clock,
+                                      std::span<const ChosenTechnique> techniques,
+                                      const TemporalOptions& options, const Clock& clock,
                                       Monitor& monitor = SilentMonitor());
 
 }  // namespace plumb

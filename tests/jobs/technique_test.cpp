@@ -8,12 +8,12 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "jobs/pictures.h"
-#include "jobs/screen_space/ao_sweep.h"
 #include "jobs/screen_space/layered_obscurance.h"
 #include "jobs/screen_space/ray_traced_visibility.h"
 #include "jobs/screen_space/render_scene.h"
 #include "jobs/screen_space/score_technique.h"
 #include "jobs/screen_space/signed_picture.h"
+#include "jobs/screen_space/time_techniques.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "tests/jobs/made_scenes.h"
 #include "truth/embree_caster.h"
@@ -78,7 +78,7 @@ TEST(Techniques, AreRefusedByName) {
     EXPECT_THROW(TechniqueNamed("gtao", {.radius_m = 1, .samples = 5000}), Error);
 }
 
-// Expected: paper's table 2: 128 px at 720 rows, 192 px at 1080.
+// Expected: paper's table 3: 128 px at 720 rows, 192 px at 1080.
 TEST(GuardPx, IsThePapersShare) {
     EXPECT_EQ(GuardPx(-1, 720), 128);
     EXPECT_EQ(GuardPx(-1, 1080), 192);
@@ -194,24 +194,34 @@ TEST(Doubled, ShowsEachPixelFourTimes) {
     EXPECT_EQ(Doubled(half, 3, 2).Pixels(), (std::vector<float>{1, 1, 5, 1, 1, 5}));
 }
 
-// Expected: a clock that adds 1, 2, 3 ... seconds a call: medians by hand, the first run left out.
-TEST(Timed, TakesTheMedianOfTheRoundsAfterOneThatWarmsUp) {
+// Expected: a clock that adds 1, 2, 3 ... seconds a call: medians by hand, the first run left out;
+// two techniques take turns.
+TEST(TimeTechniques, TakesTheMedianOfTheRoundsAfterOneThatWarmsUp) {
     const Drawn drawn(FloorAndWall(16, 9), 0);
     double now = 0, step = 0;
-    const Technique technique{.name = "t",
-                              .falloff = Falloff::kHard,
-                              .samples = 1,
-                              .run = [&](const TechniqueInput&, const PassClock& clock) {
-                                  const double begin = clock();
-                                  return std::vector<Pass>{{"p", {}, clock() - begin}};
-                              }};
-    const std::vector<Pass> passes = Timed(technique, drawn.In(), 3, [&] {
+    const Technique technique{
+        .name = "t",
+        .falloff = Falloff::kHard,
+        .samples = 1,
+        .run = [&](const TechniqueInput& in, const PassClock& clock) {
+            const double begin = clock();
+            return std::vector<Pass>{{"p", Image<float>(in.gbuffer.z_m), clock() - begin}};
+        }};
+    const TechniqueInput in = drawn.In();
+    const TechniqueTurn turns[] = {{&technique, &in}, {&technique, &in}};
+    const std::vector<TimedTechnique> timed = TimeTechniques(turns, 3, [&] {
         step += 1;
         return now += step;
     });
-    ASSERT_EQ(passes.size(), 1u);
-    EXPECT_EQ(passes[0].seconds, 6);  // runs last 2, then 4, 6, 8
-    EXPECT_EQ(TotalSeconds(passes), 6);
+    ASSERT_EQ(timed.size(), 2u);
+    ASSERT_EQ(timed[0].passes.size(), 1u);
+    EXPECT_EQ(timed[0].passes[0].name, "p");
+    // Runs last 2, 4 to warm up, then 6 and 8, 10 and 12, 14 and 16.
+    EXPECT_EQ(timed[0].passes[0].seconds.value, 10);
+    EXPECT_EQ(timed[1].seconds.value, 12);
+    EXPECT_EQ(timed[1].seconds.interval.low, 8);
+    EXPECT_EQ(timed[1].seconds.interval.high, 16);
+    EXPECT_EQ(timed[0].A.Width(), 16);
 }
 
 }  // namespace

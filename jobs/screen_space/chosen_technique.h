@@ -1,0 +1,24 @@
+// A technique as its user wants it: what the command line says, else the scene's file, else the
+// default; the same in every table of a report.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jobs/screen_space/technique.h"
+
+namespace plumb {
+
+struct ChosenTechnique {
+    std::string name;
+    TechniqueSettings settings;
+
+    Technique Made() const { return TechniqueNamed(name, settings); }
+};
+
+/// `radius_m` is the command line's. Throws Error if there is no such technique.
+ChosenTechnique Chosen(const LoadedScene& loaded, const std::string& name,
+                       std::optional<double> radius_m);
+
+}  // namespace plumb

@@ -1,0 +1,30 @@
+// Techniques run in turns: the picture of each, and how long each of its passes takes.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/monitor.h"
+#include "jobs/screen_space/technique.h"
+#include "reports/scene_report.h"
+
+namespace plumb {
+
+/// What runs, and on which G-buffer.
+struct TechniqueTurn {
+    const Technique* technique;
+    const TechniqueInput* input;
+};
+
+struct TimedTechnique {
+    Image<float> A;  ///< Of the shown size, after the last pass.
+    std::vector<PassSeconds> passes;
+    Measured seconds;  ///< Of all passes.
+};
+
+/// One result a turn. `rounds` count, after one that warms up.
+std::vector<TimedTechnique> TimeTechniques(std::span<const TechniqueTurn> turns, int rounds,
+                                           const Clock& clock,
+                                           Monitor& monitor = SilentMonitor());
+
+}  // namespace plumb

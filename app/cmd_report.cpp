@@ -24,8 +24,8 @@ struct Options {
     CLI::Option* out = nullptr;
 };
 
-void RunOne(const Options& o, const std::string& name, const std::filesystem::path& folder) {
-    const auto monitor = MakeMonitor(o.common);
+void RunOne(const Options& o, const LoadedScene& loaded, const std::filesystem::path& folder,
+            Monitor& monitor) {
     SceneReportJob job = o.job;
     job.width_px = o.view.width_px;
     job.height_px = o.view.height_px;
@@ -33,7 +33,7 @@ void RunOne(const Options& o, const std::string& name, const std::filesystem::pa
     job.seed = o.common.seed;
     job.pictures = folder / "pictures";
     const SceneReport report =
-        ReportScene(LoadScene(name), job, PLUMB_VERSION, CommandLine(), NowS, *monitor);
+        ReportScene(loaded, job, PLUMB_VERSION, CommandLine(), NowS, monitor);
     const std::filesystem::path page = WriteSceneReport(folder, report);
     if (o.common.json) {
         std::cout << ToJsonText(report);
@@ -44,11 +44,16 @@ void RunOne(const Options& o, const std::string& name, const std::filesystem::pa
 }
 
 void Run(const Options& o) {
-    SetThreadCount(o.common.threads);
+    const auto monitor = MakeMonitor(o.common);
     std::optional<std::filesystem::path> out;
     if (o.out->count() > 0) out = o.common.out;
     const std::vector<std::filesystem::path> folders = ReportFolders(o.scenes, out);
-    for (std::size_t k = 0; k < folders.size(); ++k) RunOne(o, o.scenes[k], folders[k]);
+    // All of them before the first report: a name that is wrong is told at once.
+    std::vector<LoadedScene> loaded;
+    for (const std::string& scene : o.scenes) loaded.push_back(LoadScene(scene));
+    for (std::size_t k = 0; k < folders.size(); ++k) {
+        RunOne(o, loaded[k], folders[k], *monitor);
+    }
 }
 
 }  // namespace

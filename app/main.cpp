@@ -3,7 +3,8 @@
 // Exit status: 0 done, 1 a check failed, 2 bad input or usage, 3 the machine failed us, 130
 // interrupted. Nothing below main() decides about it.
 #include <CLI/CLI.hpp>
-#include <iostream>
+#include <string>
+#include <vector>
 
 #include "app/command.h"
 #include "app/flag_names.h"
@@ -18,6 +19,14 @@ int Parse(CLI::App& program, int argc, char** argv) {
     try {
         program.parse(argc, argv);
         return 0;
+    } catch (const CLI::RequiredError& error) {
+        // The parser misses a subcommand before it minds the word that stands in its place.
+        const std::vector<std::string> unknown = program.remaining(true);
+        if (unknown.empty()) {
+            program.exit(error);
+            return 2;
+        }
+        throw Error(unknown.front() + ": no such subcommand or option; --help lists them");
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : 2;
     } catch (const Error& error) {

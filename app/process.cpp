@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <exception>
 #include <iostream>
@@ -16,8 +17,9 @@
 namespace plumb::app {
 namespace {
 
+// Not by way of std::cerr, which may not be there yet.
 void Say(const std::string& what) {
-    std::cerr << "plumb: " << what << "\n";
+    dprintf(STDERR_FILENO, "plumb: %s\n", what.c_str());
 }
 
 [[noreturn]] void EndAfterUncaught() {
@@ -29,6 +31,14 @@ void Say(const std::string& what) {
     }
     _exit(status);  // Other threads are still at work: no tidying up.
 }
+
+// Libraries start threads before main() begins, and throw where there is no memory for them. What
+// stands in this section runs before them.
+void SetHandler(int, char**, char**) {
+    std::set_terminate(EndAfterUncaught);
+}
+[[gnu::section(".preinit_array"),
+  gnu::used]] void (*const kBeforeLibraries)(int, char**, char**) = SetHandler;
 
 void HoldOpen(int stream) {
     if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) return;
@@ -46,7 +56,6 @@ void PrepareProcess() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) HoldOpen(stream);
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
-    std::set_terminate(EndAfterUncaught);
 }
 
 void FlushOutput() {

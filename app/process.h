@@ -3,10 +3,11 @@
 
 namespace plumb::app {
 
-/// Before anything else. A file that grows beyond `ulimit -f` and a reader of a pipe that went
+/// At the begin of main(). A file that grows beyond `ulimit -f` and a reader of a pipe that went
 /// become errors of the write, not signals that kill; a standard stream that is closed is
-/// held open on /dev/null, so that no file of ours takes its place; an exception that nobody
-/// can catch (in a thread, in a destructor) ends the program with a message and status 3.
+/// held open on /dev/null, so that no file of ours takes its place. Already before, an exception
+/// that nobody can catch (in a thread, in a library that is loaded) ends the program with a
+/// message and status 3.
 void PrepareProcess();
 
 /// Writes out what is left of standard output. Throws MachineError if it did not all go: a full

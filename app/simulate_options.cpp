@@ -1,5 +1,9 @@
 #include "app/simulate_options.h"
 
+#include <cmath>
+
+#include "core/error.h"
+
 namespace plumb::app {
 
 void AddSimulateOptions(CLI::App& command, SimulateOptions& o) {
@@ -31,6 +35,7 @@ void AddSimulateOptions(CLI::App& command, SimulateOptions& o) {
         ->capture_default_str();
     command
         .add_option("--bins", o.settings.bins, "Bins of the histograms over alpha and over V")
+        ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     command.add_option(
         "--spacing-m", o.spacing_m,
@@ -68,10 +73,20 @@ SimulateSettings SettingsOf(const SimulateOptions& o, const Common& common) {
 
 SurfaceOptions SurfaceOptionsOf(const CLI::App& command, const SimulateOptions& o) {
     SurfaceOptions surface = o.surface;
-    if (command.count("--spacing-m")) surface.spacing_m = o.spacing_m;
+    if (command.count("--spacing-m")) {
+        // Also if it is not a number.
+        if (!(o.spacing_m > 0 && std::isfinite(o.spacing_m))) {
+            throw Error(MustBe("--spacing-m", o.spacing_m, "> 0"));
+        }
+        surface.spacing_m = o.spacing_m;
+    }
     if (command.count("--amplitude-m")) surface.amplitude_m = o.amplitude_m;
-    if (command.count("--amplitude-of-width"))
+    if (command.count("--amplitude-of-width")) {
+        if (!(o.amplitude_of_width >= 0 && std::isfinite(o.amplitude_of_width))) {
+            throw Error(MustBe("--amplitude-of-width", o.amplitude_of_width, ">= 0"));
+        }
         surface.amplitude_of_width = o.amplitude_of_width;
+    }
     if (command.count("--boundary")) surface.boundary = BoundaryNamed(o.boundary);
     return surface;
 }

@@ -263,6 +263,7 @@ class Reader {
     void ReadTechnique(JsonFields& fields) {
         TechniqueEntry entry;
         entry.name = fields.NeedText("name");
+        entry.asked_by = fields.NameOf("name");
         entry.radius_m = fields.Number("radius_m", kPositive);
         if (const auto n = fields.Number("samples", kSamples)) entry.samples = int(*n);
         entry.filter = fields.Flag("filter");

@@ -25,6 +25,7 @@ struct HeightsEntry {
 /// What the file says of one technique; what is unset is left to the command line.
 struct TechniqueEntry {
     std::string name;                ///< Whether there is such a technique is not asked here.
+    std::string asked_by;            ///< The field that names it, for errors.
     std::optional<double> radius_m;  ///< > 0
     std::optional<int> samples;      ///< Depth lookups or rays a pixel. [1, 4096]
     std::optional<bool> filter;

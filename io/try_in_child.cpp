@@ -94,14 +94,34 @@ void TakeNoMoreThan(const ChildLimits& limits) {
     _exit(kThrewStatus);
 }
 
+// Signals of this thread that wait while one of these lives: one that comes before the wait for
+// the child must end that wait, not be forgotten.
+class HeldSignals {
+  public:
+    HeldSignals() {
+        sigset_t held;
+        sigemptyset(&held);
+        for (const int signal : {SIGINT, SIGTERM}) sigaddset(&held, signal);
+        pthread_sigmask(SIG_BLOCK, &held, &before_);
+    }
+    HeldSignals(const HeldSignals&) = delete;
+    ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    const sigset_t& Before() const { return before_; }
+
+  private:
+    sigset_t before_;
+};
+
 // What the child wrote before it closed its end; false if it had not by `end`. Throws Interrupted
 // if a signal that the program handles came in.
-bool ReadUntil(Clock::time_point end, int answer, std::string& words) {
+bool ReadUntil(Clock::time_point end, int answer, const sigset_t& signals, std::string& words) {
     while (true) {
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
+        const std::chrono::duration<double> left = end - Clock::now();
+        const double left_s = std::max(0.0, left.count());
+        const timespec wait{.tv_sec = time_t(left_s),
+                            .tv_nsec = long(1e9 * (left_s - std::floor(left_s)))};
         pollfd waiting{.fd = answer, .events = POLLIN, .revents = 0};
-        const int ready =
-            poll(&waiting, 1, int(std::clamp<std::int64_t>(left.count(), 0, 1 << 30)));
+        const int ready = ppoll(&waiting, 1, &wait, &signals);
         if (ready < 0 && errno == EINTR) throw Interrupted();
         if (ready <= 0) return false;
         char block[512];
@@ -165,6 +185,7 @@ ChildEnd TryInChild(const std::function<void()>& work, const ChildLimits& limits
     if (pipe2(ends, O_CLOEXEC) != 0) {
         throw MachineError(std::string("cannot make a pipe: ") + std::strerror(errno));
     }
+    const HeldSignals signals;
     const pid_t pid = fork();
     const int error = errno;
     if (pid == 0) {
@@ -183,7 +204,7 @@ ChildEnd TryInChild(const std::function<void()>& work, const ChildLimits& limits
     const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                         std::chrono::duration<double>(limits.clock_s));
     std::string words;
-    if (!ReadUntil(end, answer.fd, words)) {
+    if (!ReadUntil(end, answer.fd, signals.Before(), words)) {
         child.Kill();
         return {ChildEnd::Kind::kTooLong, ""};
     }

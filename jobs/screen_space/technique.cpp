@@ -100,7 +100,11 @@ Technique SaoTechnique(std::string name, const SaoOptions& options) {
 TechniqueSettings SettingsOf(const LoadedScene& loaded, const std::string& name,
                              TechniqueSettings otherwise) {
     for (const TechniqueEntry& entry : loaded.techniques) {
-        DescribedTechnique(entry.name);
+        try {
+            DescribedTechnique(entry.name);
+        } catch (const Error& error) {
+            throw Error(entry.asked_by + ": " + error.what());
+        }
         if (entry.name != name) continue;
         otherwise.radius_m = entry.radius_m.value_or(otherwise.radius_m);
         otherwise.samples = entry.samples.value_or(otherwise.samples);

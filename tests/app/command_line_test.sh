@@ -91,15 +91,5 @@ refused 'not in range 1 to 16384' "$plumb" bench raster --width 0
 expect 0 '' "$plumb" bench raster make:cornell_box --width 64 --height 48 --rounds 1 --out bench --quiet
 left bench bench_raster.json
 
-# Ctrl-C: status 130, nothing half-written.
-"$plumb" simulate make:stone_wall:512 --out interrupted --quiet 2>stderr &
-pid=$!
-sleep 2
-kill -INT $pid
-wait $pid
-status=$?
-[ $status -eq 130 ] || { echo "FAILED: status $status after an interrupt, not 130"; failed=1; }
-[ -z "$(find interrupted -name '*.part*' 2>/dev/null)" ] || { echo "FAILED: parts are left"; failed=1; }
-
 [ $failed -eq 0 ] && echo "all as expected"
 exit $failed

@@ -1,0 +1,240 @@
+// Wrong command lines of every subcommand: refused with status 2, at once, in words that name the
+// flag or the file, before anything is written.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <ostream>
+
+#include "tests/faults/program.h"
+#include "tests/io/temp_folder.h"
+
+namespace plumb {
+namespace {
+
+using testing::HasSubstr;
+
+struct Wrong {
+    const char* line;
+    const char* words;  ///< On standard error.
+};
+
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+    *out << wrong.line;
+}
+
+class CommandLines : public TempFolder, public testing::WithParamInterface<Wrong> {};
+
+TEST_P(CommandLines, AreRefused) {
+    Put("text.png", "not a picture");
+    Put("empty.png", "");
+    Put("void.json", "");
+    Put("list.json", "[]");
+    Put("nothing.json", "{}");
+    Put("cut.json", R"({"generator": "wed)");
+    Put("unknown.json", R"({"generator": "wedge", "colour": 1})");
+    Put("no_mesh.json", R"({"meshes": [{"file": "gone.obj"}]})");
+    Put("no_map.json", R"({"heights": [{"file": "gone.png"}]})");
+    Put("no_sky.json", R"({"generator": "wedge", "environment": "gone.exr"})");
+    Put("technique.json", R"({"generator": "wedge", "techniques": [{"name": "ssao"}]})");
+    Put("table.csv", "bin,E0\n0,nan\n");
+    const Ended ended = RunPlumb(Words(GetParam().line), {.folder = folder_}, 20);
+    EXPECT_FALSE(ended.was_killed) << "after " << ended.clock_s << " s";
+    EXPECT_EQ(ended.status, 2) << ended.errors;
+    EXPECT_THAT(ended.errors, HasSubstr(GetParam().words));
+    EXPECT_EQ(ended.output, "");
+    EXPECT_FALSE(std::filesystem::exists(Path("out"))) << "something was written";
+}
+
+constexpr Wrong kPlumb[] = {
+    {"", "--help"},
+    {"nothing", "nothing"},
+    {"--nothing", "--nothing"},
+    {"fits make:bricks:16", "fits"},
+    {"--threads 2 simulate make:bricks:16", "--threads"},
+};
+
+constexpr Wrong kSimulate[] = {
+    {"simulate", "map"},
+    {"simulate gone.png", "gone.png"},
+    {"simulate gone/gone.png", "gone/gone.png"},
+    {"simulate text.png", "text.png"},
+    {"simulate empty.png", "empty.png"},
+    {"simulate void.json", "void.json"},
+    {"simulate make:", "surface \"\""},
+    {"simulate make:nothing", "nothing"},
+    {"simulate make:bricks:", "SIZE"},
+    {"simulate make:bricks:0", "must be"},
+    {"simulate make:bricks:-16", "must be"},
+    {"simulate make:bricks:1e9", "SIZE"},
+    {"simulate make:bricks:99999999", "must be"},
+    {"simulate make:bricks:99999999999", "SIZE"},
+    {"simulate make:bricks:16:x", "SEED"},
+    {"simulate make:bricks:16:1:1", "make:KIND"},
+    {"simulate make:bricks:16 make:bricks:16", "make:bricks:16"},
+    {"simulate make:bricks:16 --slices", "--slices"},
+    {"simulate make:bricks:16 --slices 0", "--slices"},
+    {"simulate make:bricks:16 --slices -4", "--slices"},
+    {"simulate make:bricks:16 --slices 1e3", "--slices"},
+    {"simulate make:bricks:16 --slices four", "--slices"},
+    {"simulate make:bricks:16 --slices 99999999999", "--slices"},
+    {"simulate make:bricks:16 --method rays --rays 0", "--rays"},
+    {"simulate make:bricks:16 --method rays --rays 2000000", "--rays"},
+    {"simulate make:bricks:16 --method guess", "--method"},
+    {"simulate make:bricks:16 --ray-distribution even", "--ray-distribution"},
+    {"simulate make:bricks:16 --bounces -1", "--bounces"},
+    {"simulate make:bricks:16 --bounces 100000", "--bounces"},
+    {"simulate make:bricks:16 --bins 0", "--bins"},
+    {"simulate make:bricks:16 --bins -1", "--bins"},
+    {"simulate make:bricks:16 --spacing-m 0", "--spacing-m"},
+    {"simulate make:bricks:16 --spacing-m -1", "--spacing-m"},
+    {"simulate make:bricks:16 --spacing-m nan", "--spacing-m"},
+    {"simulate make:bricks:16 --spacing-m inf", "--spacing-m"},
+    {"simulate make:bricks:16 --amplitude-m -1", "--amplitude-m"},
+    {"simulate make:bricks:16 --amplitude-m nan", "--amplitude-m"},
+    {"simulate make:bricks:16 --amplitude-of-width -1", "--amplitude-of-width"},
+    {"simulate make:bricks:16 --boundary round", "--boundary"},
+    {"simulate make:bricks:16 --smooth-px -1", "--smooth-px"},
+    {"simulate make:bricks:16 --smooth-px 100", "--smooth-px"},
+    {"simulate make:bricks:16 --albedo 1.5", "--albedo"},
+    {"simulate make:bricks:16 --albedo -0.1", "--albedo"},
+    {"simulate make:bricks:16 --albedo nan", "--albedo"},
+    {"simulate make:bricks:16 --albedo 0.5 0.5", "--albedo"},
+    {"simulate make:bricks:16 --albedo-map gone.png", "--albedo-map"},
+    {"simulate make:bricks:16 --albedo-map text.png", "text.png"},
+    {"simulate make:bricks:16 --threads -1", "--threads"},
+    {"simulate make:bricks:16 --threads 5000", "--threads"},
+    {"simulate make:bricks:16 --seed x", "--seed"},
+    {"simulate make:bricks:16 --seed -1", "--seed"},
+    {"simulate make:bricks:16 --seed 18446744073709551616", "--seed"},
+    {"simulate make:bricks:16 --out", "--out"},
+    {"simulate make:bricks:16 --out ''", "--out"},
+};
+
+constexpr Wrong kFit[] = {
+    {"fit", "--histogram"},
+    {"fit gone.png", "gone.png"},
+    {"fit make:bricks:16 gone.png", "gone.png"},
+    {"fit make:bricks:16 --histogram table.csv", "--histogram"},
+    {"fit --histogram gone.csv", "--histogram"},
+    {"fit --histogram void.json", "void.json"},
+    {"fit --histogram table.csv", "table.csv"},
+    {"fit --histogram table.csv --abscissa middle", "--abscissa"},
+    {"fit make:bricks:16 --weighting some", "--weighting"},
+    {"fit make:bricks:16 --starts 0", "--starts"},
+    {"fit make:bricks:16 --bootstrap -1", "--bootstrap"},
+    {"fit make:bricks:16 --slices 3", "--slices"},
+    {"fit make:bricks:16 --out ''", "--out"},
+};
+
+constexpr Wrong kTruth[] = {
+    {"truth", "scene"},
+    {"truth gone.json", "gone.json"},
+    {"truth sponza", "sponza"},
+    {"truth make:", "scene \"\""},
+    {"truth void.json", "void.json"},
+    {"truth list.json", "list.json"},
+    {"truth nothing.json", "nothing.json"},
+    {"truth cut.json", "cut.json:1:"},
+    {"truth unknown.json", "unknown.json: colour"},
+    {"truth no_mesh.json", "no_mesh.json: meshes[0].file: gone.obj"},
+    {"truth no_map.json", "no_map.json: heights[0].file: gone.png"},
+    {"truth no_sky.json", "no_sky.json: environment: gone.exr"},
+    {"truth wedge --camera none", "none"},
+    {"truth wedge --width 0", "--width"},
+    {"truth wedge --width 65537", "--width"},
+    {"truth wedge --height -3", "--height"},
+    {"truth wedge --width 65536 --height 65536", "width_px x height_px"},
+    {"truth wedge --spp 100", "--spp"},
+    {"truth wedge --spp 0", "--spp"},
+    {"truth wedge --spp -64", "--spp"},
+    {"truth wedge --spp 32", "--spp"},
+    {"truth wedge --bounces 101", "--bounces"},
+    {"truth wedge --bounces -1", "--bounces"},
+    {"truth wedge --albedo 0.5", "albedo without bounces"},
+    {"truth wedge --bounces 2 --albedo 2", "--albedo"},
+    {"truth wedge --bounces 2 --albedo nan", "--albedo"},
+    {"truth wedge --reach -1", "--reach"},
+    {"truth wedge --reach nan", "--reach"},
+    {"truth wedge --reach inf", "--reach"},
+    {"truth wedge --reach 1 --falloff steep", "--falloff"},
+    {"truth wedge --target-error 0", "--target-error"},
+    {"truth wedge --target-error nan", "--target-error"},
+    {"truth wedge --seconds -1", "--seconds"},
+    {"truth wedge --seconds nan", "--seconds"},
+    {"truth wedge --resume --no-cache", "resume"},
+    {"truth wedge --resume", "is missing"},
+    {"truth wedge --no-alpha --no-v", "nothing to measure"},
+    {"truth wedge --facets --spp 100", "--spp"},
+    {"truth wedge --out ''", "--out"},
+};
+
+constexpr Wrong kRender[] = {
+    {"render", "scene"},
+    {"render gone.json", "gone.json"},
+    {"render wedge --technique ssao", "--technique"},
+    {"render technique.json", "technique.json"},
+    {"render wedge --radius 0", "--radius"},
+    {"render wedge --radius -1", "--radius"},
+    {"render wedge --radius nan", "--radius"},
+    {"render wedge --radius inf", "--radius"},
+    {"render wedge --samples -1", "--samples"},
+    {"render wedge --samples 5000", "--samples"},
+    {"render wedge --guard -1", "--guard"},
+    {"render wedge --guard 5000", "--guard"},
+    {"render wedge --camera none", "none"},
+    {"render wedge --width 0", "--width"},
+    {"render wedge --height 20000", "--height"},
+    {"render wedge --out ''", "--out"},
+};
+
+constexpr Wrong kReport[] = {
+    {"report", "scenes"},
+    {"report gone.json", "gone.json"},
+    {"report wedge gone.json", "gone.json"},
+    {"report wedge --technique ssao", "--technique"},
+    {"report technique.json", "technique.json"},
+    {"report wedge --radius 0", "--radius"},
+    {"report wedge --radius nan", "--radius"},
+    {"report wedge --spp 100", "--spp"},
+    {"report wedge --spp 8", "--spp"},
+    {"report wedge --budget best", "\"best\""},
+    {"report wedge --rounds 0", "--rounds"},
+    {"report wedge --camera none", "none"},
+    {"report wedge --guard 5000", "--guard"},
+    {"report wedge --out ''", "--out"},
+};
+
+constexpr Wrong kBench[] = {
+    {"bench", "--help"},
+    {"bench nothing", "nothing"},
+    {"bench light gone.png", "gone.png"},
+    {"bench light make:bricks:16 --slices 1", "--slices"},
+    {"bench light make:bricks:16 --rays 0", "--rays"},
+    {"bench light make:bricks:16 --rounds 0", "--rounds"},
+    {"bench light make:bricks:16 --out ''", "--out"},
+    {"bench raster make:nothing", "nothing"},
+    {"bench raster gone.json", "gone.json"},
+    {"bench raster wedge --width 0", "--width"},
+    {"bench raster wedge --rounds 5000", "--rounds"},
+    {"bench truth gone.json", "gone.json"},
+    {"bench truth wedge --rows 0", "--rows"},
+    {"bench truth wedge --paths -1", "--paths"},
+    {"bench truth wedge --height 0", "--height"},
+    {"bench ao gone.json", "gone.json"},
+    {"bench ao wedge --radius 0", "--radius"},
+    {"bench ao wedge --radius nan", "--radius"},
+    {"bench ao wedge --camera none", "none"},
+    {"bench ao wedge --rounds 0", "--rounds"},
+    {"bench ao wedge --width 100000 --height 1", "--width"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Plumb, CommandLines, testing::ValuesIn(kPlumb));
+INSTANTIATE_TEST_SUITE_P(Simulate, CommandLines, testing::ValuesIn(kSimulate));
+INSTANTIATE_TEST_SUITE_P(Fit, CommandLines, testing::ValuesIn(kFit));
+INSTANTIATE_TEST_SUITE_P(Truth, CommandLines, testing::ValuesIn(kTruth));
+INSTANTIATE_TEST_SUITE_P(Render, CommandLines, testing::ValuesIn(kRender));
+INSTANTIATE_TEST_SUITE_P(Report, CommandLines, testing::ValuesIn(kReport));
+INSTANTIATE_TEST_SUITE_P(Bench, CommandLines, testing::ValuesIn(kBench));
+
+}  // namespace
+}  // namespace plumb

@@ -6,6 +6,7 @@
 #   ./plumb.sh test [PRESET]    every test (PRESET: release, debug or sanitize)
 #   ./plumb.sh SUBCOMMAND ...   any subcommand of plumb: fit, report, truth ...; --help teaches
 #   ./plumb.sh build [PRESET]   only build
+#   ./plumb.sh packages         only install what is missing
 #
 # A second call with nothing changed starts at once. PLUMB_JOBS=N builds with N processes.
 set -euo pipefail
@@ -79,7 +80,8 @@ case "${1:-help}" in
   demo) demo ;;
   test) tests "${2:-release}" ;;
   build) build "${2:-release}" all ;;
-  help | -h | --help) sed -n '2,11s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  packages) install_missing ;;
+  help | -h | --help) sed -n '2,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)
     from=$PWD
     build release plumb

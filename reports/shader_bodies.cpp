@@ -4,6 +4,7 @@
 #include "fit/escape_bent.h"
 #include "fit/escape_family.h"
 #include "fit/escape_of_both.h"
+#include "fit/gtao_cubic.h"
 #include "fit/mayaux_total.h"
 
 namespace plumb {
@@ -63,6 +64,15 @@ constexpr std::string_view kCavity = R"(
     return PlumbUnit(1.0f - (1.0f - V) * ((1.0f - rho) / max((1.0f - rho) + rho * V, 1e-20f)));
 )";
 
+constexpr std::string_view kGtaoCubic = R"(
+    float V = PlumbUnit(cosine_visibility);
+    {T} rho = PlumbUnit(albedo);
+    {T} a = {a1} * rho + {a0};
+    {T} b = {b1} * rho + {b0};
+    {T} c = {c1} * rho + {c0};
+    return PlumbUnit(max(((a * V + b) * V + c) * V, V));
+)";
+
 // [Mayaux18 eq. 12] under PoleGuard::kPort. With D = 1 - F0, the fraction is widened by D:
 // F1 / (1 - rho tau) = F1 D / ((1 - rho) D + rho F1), which does not subtract nearly equal
 // floats. The last max is the guard 1 - rho tau >= 1e-5.
@@ -82,6 +92,7 @@ constexpr Body kBodies[] = {
     {EscapeOfBoth::kName, kEscapeOfBoth},
     {EscapeBentOfV::kName, kEscapeBentOfV},
     {CavityModel::kName, kCavity},
+    {GtaoCubicModel::kName, kGtaoCubic},
     {MayauxTotalModel<PoleGuard::kPort>::kName, kMayauxPort},
 };
 

@@ -9,9 +9,9 @@
 // cosine_visibility, albedo), PlumbUnit(x), which clamps to [0, 1] and makes NaN 0, and max,
 // min, pow, exp, sqrt. Operators work between floats and {T}.
 //
-// Beware   pow(0, y) is defined for y > 0 only, x / 0 never: guard. A model added here is
-//          compared with the library and compiled in every language by
-//          tests/reports/shader_header_test.cpp as soon as it is in the test's list.
+// Beware   pow(0, y) is defined for y > 0 only, x / 0 never: guard. A model added here must be
+//          added to the list of tests/reports/shader_header_test.cpp, which compares it with
+//          the library and compiles it in every language.
 #pragma once
 
 #include <string_view>

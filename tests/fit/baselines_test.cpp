@@ -7,6 +7,7 @@
 #include <string>
 
 #include "fit/gtao_cubic.h"
+#include "fit/model_fit.h"
 
 namespace plumb {
 namespace {
@@ -31,6 +32,38 @@ TEST(GtaoCubic, NeverDarkerThanTheDirectLight) {
 TEST(GtaoCubic, OnTheWedges) {
     EXPECT_NEAR(Evaluate(kJimenez16, CosineVisibility(0.25), Albedo(0.8)), 0.5443, 5e-5);
     EXPECT_NEAR(Evaluate(kJimenez16, CosineVisibility(0.5), Albedo(0.8)), 0.8111, 5e-5);
+}
+
+// Expected: as printed in [Jimenez16], the multi-bounce approximation, with AO in place of V:
+// a = 2.0404 albedo - 0.3324, b = -4.7951 albedo + 0.6417, c = 2.7552 albedo + 0.6903.
+TEST(GtaoCubic, TheModelStartsAtThePublishedConstants) {
+    EXPECT_EQ(AtInitialValues(ModelOf<GtaoCubicModel>(), "").values,
+              (std::vector<double>{2.0404, -0.3324, -4.7951, 0.6417, 2.7552, 0.6903}));
+    const auto names = ModelOf<GtaoCubicModel>().parameters;
+    std::string text;
+    for (const Parameter& parameter : names) text += std::string(parameter.name) + " ";
+    EXPECT_EQ(text, "a1 a0 b1 b0 c1 c0 ");
+}
+
+// Expected: the constants that made the samples, which the cubic fits exactly. Tolerance: the
+// solver's own, times the condition of six powers (about 1e3).
+TEST(GtaoCubic, IsRefitted) {
+    const std::vector<double> made{1.5, -0.25, -3.5, 0.5, 2.25, 0.75};
+    const Formula truth{"made", ModelOf<GtaoCubicModel>(), made};
+    std::vector<Sample> samples;
+    for (int i = 1; i < 20; ++i) {
+        for (int r = 1; r < 10; ++r) {
+            Sample sample;
+            sample.at = {{}, CosineVisibility(i / 20.0), Albedo(r / 10.0)};
+            sample.y = truth(sample.at);
+            samples.push_back(sample);
+        }
+    }
+    const LeastSquaresFit fit = FitModel(ModelOf<GtaoCubicModel>(), samples, {.starts = 2});
+    EXPECT_TRUE(fit.converged);
+    for (std::size_t j = 0; j < made.size(); ++j) {
+        EXPECT_NEAR(fit.parameters[j].value, made[j], 1e-5) << fit.parameters[j].name;
+    }
 }
 
 TEST(Baselines, PredictTotalsUnderNamesOfTheirOwn) {

@@ -64,6 +64,9 @@ std::filesystem::path WriteFitResults(const std::filesystem::path& folder,
     WriteText(folder / "scores.csv", [&](std::ostream& out) { WriteScoresCsv(out, report); });
     WriteText(folder / "constants.csv",
               [&](std::ostream& out) { WriteConstantsCsv(out, report); });
+    if (report.choice)
+        WriteText(folder / "choice.csv",
+                  [&](std::ostream& out) { WriteChoiceCsv(out, report); });
     const ShaderHeader header = ShaderHeaderOf(report);
     for (const ShaderLanguage language :
          {ShaderLanguage::kGlsl, ShaderLanguage::kHlsl, ShaderLanguage::kCpp}) {

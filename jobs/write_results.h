@@ -22,8 +22,8 @@ namespace plumb {
 void WritePictures(const std::filesystem::path& folder, const HeightField& field,
                    std::span<const double> V, SurfaceReport& report);
 
-/// report.html, report.json, scores.csv, constants.csv and the shader headers plumb_light.glsl,
-/// .hlsl and .h. Returns the page's path.
+/// report.html, report.json, scores.csv, constants.csv, choice.csv (of four maps or more) and the
+/// shader headers plumb_light.glsl, .hlsl and .h. Returns the page's path.
 std::filesystem::path WriteFitResults(const std::filesystem::path& folder,
                                       const FitReport& report);
 

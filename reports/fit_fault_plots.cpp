@@ -11,9 +11,9 @@ namespace {
 
 using parts::Find;
 
-/// The formula near its poles: beyond the frame it is broken off, so that no line joins the two
-/// sides of a pole.
-Plot PolePlot(const Formula& formula, PlotSheet& sheet) {
+/// The formula as printed near its poles, and under its guard. Beyond the frame a line is broken
+/// off, so that none joins the two sides of a pole.
+Plot PolePlot(const Formula& printed, const Formula* guarded, PlotSheet& sheet) {
     constexpr double kFrom = 0.9, kCut = 2.5;
     constexpr int kPoints = 2001;
     std::vector<double> alphas;
@@ -21,20 +21,28 @@ Plot PolePlot(const Formula& formula, PlotSheet& sheet) {
         alphas.push_back(kFrom + (1 - kFrom) * i / double(kPoints - 1));
     const Column x = sheet.Add(alphas);
     PlotView view = View({});
-    for (const double rho : {0.2, 0.5, 0.8, 0.95}) {
+    const auto draw = [&](const Formula& formula, double rho, Mark mark, std::string label) {
         std::vector<double> y;
         for (const double alpha : alphas) {
             const double E = formula({UniformVisibility(alpha), {}, Albedo(rho)});
             y.push_back(E > -kCut && E < kCut ? E : SurfaceFigures::kUnknown);
         }
-        view.series.push_back(
-            Series("ρ = " + Exact(rho), Mark::kLine, ScaleColor(rho), x, sheet.Add(y)));
+        view.series.push_back(Series(std::move(label), mark, ScaleColor(rho), x, sheet.Add(y)));
+    };
+    for (const double rho : {0.2, 0.5, 0.8, 0.95}) {
+        const std::string label = "ρ = " + Exact(rho);
+        draw(printed, rho, Mark::kLine, label);
+        if (guarded) draw(*guarded, rho, Mark::kDashed, label + ", guarded");
     }
+    std::string caption =
+        "Light must lie between 0 and 1. Each albedo has an α at which the formula as printed "
+        "(lines) leaves for infinity.";
+    if (guarded)
+        caption += " Dashed: the same under the guard of programs that ship it, " +
+                   Html(guarded->name) + ", which the tables score.";
     return {.id = "poles",
-            .title = formula.name + " near α = 1",
-            .caption =
-                "Light must lie between 0 and 1. Each albedo has an α at which the "
-                "formula leaves for infinity.",
+            .title = printed.name + ", as printed, near α = 1",
+            .caption = caption,
             .x = {"uniform visibility α [–]", kFrom, 1},
             .y = {"E(ρ) [–, open ground = 1]", 0.4, 1.6},
             .views = {view}};
@@ -106,7 +114,9 @@ std::string Faults(const FitReport& report, PlotSheet& sheet) {
     const Formula& published = Find(report, report.published).formula;
     std::vector<Plot> plots;
     if (published.model.inputs == ModelInputs{.alpha = true, .V = false, .rho = true})
-        plots.push_back(PolePlot(published, sheet));
+        plots.push_back(report.printed.empty() ? PolePlot(published, nullptr, sheet)
+                                               : PolePlot(Find(report, report.printed).formula,
+                                                          &published, sheet));
     plots.push_back(BoundPlot(report, sheet));
     html += sheet.Group({}, std::move(plots));
     if (rows.empty()) return html + "<p>No fault was found in any set of constants.</p>\n";

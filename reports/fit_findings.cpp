@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/fit_caveats.h"
 #include "reports/fit_report_page.h"
 #include "reports/fit_report_parts.h"
 #include "reports/page.h"
@@ -55,7 +56,8 @@ std::string RecommendedSentence(const FitReport& report, const FormulaRecord& ou
 
 std::string PublishedSentence(const FormulaRecord& ours, const FormulaRecord& published) {
     const Score& theirs = published.in_sample.pooled;
-    std::string text = "The published formula has an RMS error of <b>" + Digits(theirs.rms) +
+    std::string text = "The published formula (" + Html(published.name) +
+                       ") has an RMS error of <b>" + Digits(theirs.rms) +
                        "</b> on the same data (worst bin " + Digits(theirs.max_abs) + "), " +
                        Compared(JudgedBy(ours).rms, theirs.rms, "the recommended one's");
     if (ours.held_out) text += " on unseen maps";
@@ -206,7 +208,7 @@ std::string ConstantsTable(const TotalFit& total) {
                  rows);
 }
 
-std::string TotalFitHtml(const TotalFit& total) {
+std::string TotalFitHtml(const FitReport& report, const TotalFit& total) {
     std::string html = "<h3>" + Html(total.formula) + "</h3>\n" + ConstantsTable(total);
     html += "<p class=\"note\">" + Count(total.fit.samples) + " samples, RMS " +
             Digits(total.fit.rmse) + ", worst " + Digits(total.fit.max_abs) +
@@ -217,7 +219,10 @@ std::string TotalFitHtml(const TotalFit& total) {
     if (total.bootstrap)
         html += ", " + std::to_string(total.bootstrap->replicates) +
                 " bootstrap replicates over maps";
-    return html + ".</p>\n";
+    html += ".";
+    for (const std::string& caveat : CaveatsOf(report, Find(report, total.formula)))
+        html += " <b>Beware:</b> " + Html(caveat);
+    return html + "</p>\n";
 }
 
 }  // namespace
@@ -248,6 +253,9 @@ std::string Findings(const FitReport& report) {
     tiles += "</div>\n";
 
     std::vector<std::string> sentences{RecommendedSentence(report, ours)};
+    for (const std::string& caveat : CaveatsOf(report, ours))
+        sentences.push_back("<b>Beware:</b> " + Html(caveat));
+    if (report.choice) sentences.push_back(ChoiceSentence(report));
     if (published.name != ours.name) sentences.push_back(PublishedSentence(ours, published));
     if (const FormulaRecord* unfitted = BestUnfitted(report))
         sentences.push_back(UnfittedSentence(ours, *unfitted));
@@ -275,14 +283,14 @@ std::string Findings(const FitReport& report) {
 std::string Recommended(const FitReport& report) {
     std::string html = "<pre>" + Html(report.recommended_text) + "</pre>\n";
     if (const TotalFit* total = TotalFitOf(report, report.recommended))
-        html += TotalFitHtml(*total);
+        html += TotalFitHtml(report, *total);
     html +=
         "<p class=\"note\">The first standard error takes every sample to be independent "
         "and is too small; the second comes from drawing whole maps anew and is the one to "
         "trust.</p>\n";
     std::string others;
     for (const TotalFit& total : report.totals)
-        if (total.formula != report.recommended) others += TotalFitHtml(total);
+        if (total.formula != report.recommended) others += TotalFitHtml(report, total);
     if (!others.empty())
         html += "<details><summary>Constants of the other fitted totals</summary>\n" + others +
                 "</details>\n";

@@ -26,6 +26,7 @@
 #include "fit/scores.h"
 #include "reports/amplitude_sweep.h"
 #include "reports/convergence.h"
+#include "reports/form_choice.h"
 #include "reports/provenance.h"
 #include "reports/surface_report.h"
 #include "reports/timings.h"
@@ -98,7 +99,10 @@ struct FitReport {
 
     std::string recommended;       ///< FormulaRecord::name.
     std::string recommended_text;  ///< Its formula in plain text, one or more lines.
-    std::string published;         ///< FormulaRecord::name of the formula as in print.
+    std::string published;  ///< FormulaRecord::name of the formula that is in use, guarded.
+    std::string
+        printed;  ///< The same as printed, without a guard; empty = `published` has none.
+    std::optional<FormChoice> choice;  ///< Of four maps or more.
 
     std::optional<AmplitudeSweep> amplitudes;
     std::optional<Convergence> convergence;
@@ -125,11 +129,16 @@ std::string ToHtml(const FitReport& report);
 void WriteScoresCsv(std::ostream& out, const FitReport& report);
 
 /// fit, samples, constant, value, standard_error, bootstrap_standard_error, bootstrap_low,
-/// bootstrap_high, published, rms, published_rms, condition, converged; one line a constant.
+/// bootstrap_high, published, rms, published_rms, condition, converged, at_bound; one line a
+/// constant.
 void WriteConstantsCsv(std::ostream& out, const FitReport& report);
 
-/// The constants with their error bars beside the published ones, and the score table, for a
-/// terminal of 100 columns.
+/// form, constants, choosing_rms, reporting_rms, winner; one line a form. `choice` must be there.
+void WriteChoiceCsv(std::ostream& out, const FitReport& report);
+
+/// The constants with their error bars beside the published ones, the score table with what must
+/// be said of the recommended formula, and the choice among the forms, for a terminal of 100
+/// columns.
 void WriteTable(std::ostream& out, const FitReport& report);
 
 }  // namespace plumb

@@ -19,6 +19,9 @@ std::string ToHtml(const FitReport& report) {
     page.AddSection("findings", "Read this first", page::Findings(report));
     page.AddSection("recommended", "The recommended formula", page::Recommended(report));
     page.AddSection("scores", "Every formula on every map", page::Scores(report));
+    if (report.choice)
+        page.AddSection("choice", "Chosen on one half, reported on the other",
+                        page::FormsCompared(report));
     page.AddSection("totals", "All bounces: E(ρ)", page::Totals(report, sheet));
     page.AddSection("curves", "The paper's curves: F₀ and F₁", page::Curves(report, sheet));
     if (!report.bounce_family.empty())

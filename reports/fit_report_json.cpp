@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "reports/fit_caveats.h"
 #include "reports/fit_report.h"
 #include "reports/json_text.h"
 
@@ -102,15 +103,16 @@ Json TotalsJson(const std::vector<TotalFit>& totals) {
     return list;
 }
 
-Json RecordsJson(const std::vector<FormulaRecord>& records) {
+Json RecordsJson(const FitReport& report) {
     Json list = Json::array();
-    for (const FormulaRecord& record : records) {
+    for (const FormulaRecord& record : report.formulas) {
         Json json{{"name", record.name},
                   {"formula", FormulaJson(record.formula)},
                   {"fitted", record.fitted},
                   {"in_sample", RowJson(record.in_sample)},
                   {"held_out", record.held_out ? RowJson(*record.held_out) : Json(nullptr)},
-                  {"facet_rms", record.facet_rms}};
+                  {"facet_rms", record.facet_rms},
+                  {"caveats", CaveatsOf(report, record)}};
         list.push_back(std::move(json));
     }
     return list;
@@ -179,6 +181,7 @@ void Validate(const FitReport& report) {
     };
     must_be_record("recommended", report.recommended);
     must_be_record("published", report.published);
+    if (!report.printed.empty()) must_be_record("printed", report.printed);
     for (const TotalFit& total : report.totals) must_be_record("totals.formula", total.formula);
 }
 
@@ -195,13 +198,15 @@ Json ToJson(const FitReport& report) {
               {"recommended", report.recommended},
               {"recommended_text", report.recommended_text},
               {"published", report.published},
-              {"formulas", RecordsJson(report.formulas)},
+              {"printed", report.printed},
+              {"formulas", RecordsJson(report)},
               {"floors", floors},
               {"curves", CurvesJson(report.curves)},
               {"bounce_family", CurvesJson(report.bounce_family)},
               {"totals", TotalsJson(report.totals)},
               {"faults", FaultsJson(report.faults)},
               {"maps", maps}};
+    if (report.choice) json["choice"] = ToJson(*report.choice);
     if (report.amplitudes) json["amplitudes"] = ToJson(*report.amplitudes);
     if (report.convergence) json["convergence"] = ToJson(*report.convergence);
     if (!report.timings.Empty()) json["timings"] = ToJson(report.timings);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/fit_caveats.h"
 #include "reports/fit_report.h"
 #include "reports/fit_report_parts.h"
 #include "reports/text.h"
@@ -62,7 +63,32 @@ const BootstrapInterval* IntervalOf(const BootstrapResult* bootstrap, const std:
     return nullptr;
 }
 
+void WriteChoice(std::ostream& out, const FitReport& report) {
+    const FormChoice& choice = *report.choice;
+    out << "\nForms, chosen on " << choice.choosing.size()
+        << " maps (every other one, each held "
+        << "out), reported on the other " << choice.reporting.size() << " [-]\n\n"
+        << Left("form", 46) << Right("constants", 10) << Right("choosing", 10)
+        << Right("reporting", 10) << '\n';
+    for (const FormScore& score : choice.forms)
+        out << Left(score.form + (&score == &choice.Winner() ? " <" : ""), 46)
+            << Right(std::to_string(score.constants), 10)
+            << Right(Digits(score.choosing_rms), 10) << Right(Digits(score.reporting_rms), 10)
+            << '\n';
+    out << "< wins on the choosing half; rank " << choice.RankOnReporting(choice.Winner())
+        << " of " << choice.forms.size() << " on the other\n";
+}
+
 }  // namespace
+
+void WriteChoiceCsv(std::ostream& out, const FitReport& report) {
+    Validate(report);
+    const FormScore& winner = report.choice->Winner();
+    out << "form,constants,choosing_rms,reporting_rms,winner\n";
+    for (const FormScore& score : report.choice->forms)
+        out << Csv(score.form) << ',' << score.constants << ',' << Exact(score.choosing_rms)
+            << ',' << Exact(score.reporting_rms) << ',' << YesNo(&score == &winner) << '\n';
+}
 
 void WriteScoresCsv(std::ostream& out, const FitReport& report) {
     Validate(report);
@@ -83,7 +109,7 @@ void WriteScoresCsv(std::ostream& out, const FitReport& report) {
 void WriteConstantsCsv(std::ostream& out, const FitReport& report) {
     Validate(report);
     out << "fit,samples,constant,value,standard_error,bootstrap_standard_error,bootstrap_low,"
-           "bootstrap_high,published,rms,published_rms,condition,converged\n";
+           "bootstrap_high,published,rms,published_rms,condition,converged,at_bound\n";
     for (const FitLine& line : AllFits(report)) {
         for (const FittedParameter& parameter : line.fit.parameters) {
             const BootstrapInterval* interval = IntervalOf(line.bootstrap, parameter.name);
@@ -95,7 +121,8 @@ void WriteConstantsCsv(std::ostream& out, const FitReport& report) {
                 << (interval ? Exact(interval->high) : "") << ','
                 << Exact(PublishedValue(line.published, parameter.name)) << ','
                 << Exact(line.fit.rmse) << ',' << Exact(line.published_rms) << ','
-                << Exact(line.fit.condition) << ',' << YesNo(line.fit.converged) << '\n';
+                << Exact(line.fit.condition) << ',' << YesNo(line.fit.converged) << ','
+                << YesNo(parameter.at_bound) << '\n';
         }
     }
 }
@@ -116,6 +143,10 @@ void WriteTable(std::ostream& out, const FitReport& report) {
                         [&](const CurveFit& curve) { return &curve.fit == &line.fit; });
         if (of_family) continue;  // 60 constants that nobody reads in a terminal.
         std::string name = line.name;
+        if (name.size() > 35) {
+            out << name << '\n';
+            name.clear();
+        }
         for (const FittedParameter& parameter : line.fit.parameters) {
             const BootstrapInterval* interval = IntervalOf(line.bootstrap, parameter.name);
             const double published = PublishedValue(line.published, parameter.name);
@@ -152,6 +183,9 @@ void WriteTable(std::ostream& out, const FitReport& report) {
             << '\n';
     }
     out << "* recommended\n";
+    for (const std::string& caveat : CaveatsOf(report, parts::Find(report, report.recommended)))
+        out << Wrapped("  Beware: " + caveat, 100, "  ") << '\n';
+    if (report.choice) WriteChoice(out, report);
 }
 
 }  // namespace plumb

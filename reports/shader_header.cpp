@@ -117,7 +117,10 @@ std::string Described(const ShaderFormula& one) {
     if (std::isfinite(one.rms)) text += "// RMS error of E(rho) on the maps " + Digits(one.rms);
     if (std::isfinite(one.rms) && std::isfinite(one.held_out_rms))
         text += ", on maps not fitted to " + Digits(one.held_out_rms);
-    return text + (std::isfinite(one.rms) ? " [-]\n" : "");
+    if (std::isfinite(one.rms)) text += " [-]\n";
+    for (const std::string& caveat : one.caveats)
+        text += "// Beware: " + Comment(caveat) + "\n";
+    return text;
 }
 
 std::string Definition(const ShaderFormula& one, const std::string& name) {

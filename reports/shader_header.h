@@ -35,6 +35,7 @@ struct ShaderFormula {
     std::string function;  ///< "PlumbEscapeOfV": an identifier in all three languages.
     std::string comment;   ///< What it is, in one line. May be empty.
     double rms = kUnknown, held_out_rms = kUnknown;  ///< Of E(rho), over the maps.
+    std::vector<std::string> caveats;                ///< One line each (reports/fit_caveats.h).
 };
 
 struct ShaderHeader {

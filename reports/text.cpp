@@ -118,6 +118,26 @@ std::string Right(std::string_view text, int columns) {
     return Padding(text, columns) + std::string(text);
 }
 
+std::string Wrapped(std::string_view text, int columns, const std::string& indent) {
+    std::string lines(text.substr(0, text.find(' ')));
+    int used = Characters(lines);
+    for (std::size_t at = text.find(' '); at != std::string_view::npos;) {
+        const std::size_t end = text.find(' ', at + 1);
+        const std::string_view word = text.substr(at + 1, end - at - 1);
+        const int width = Characters(word);
+        if (used + 1 + width > columns) {
+            lines += "\n" + indent;
+            used = Characters(indent) + width;
+        } else {
+            lines += ' ';
+            used += 1 + width;
+        }
+        lines += word;
+        at = end;
+    }
+    return lines;
+}
+
 std::string Listed(const std::vector<std::string>& items) {
     std::string list;
     for (std::size_t i = 0; i < items.size(); ++i)

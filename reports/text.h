@@ -38,6 +38,9 @@ std::string Csv(std::string_view text);
 std::string Left(std::string_view text, int columns);
 std::string Right(std::string_view text, int columns);
 
+/// Broken at spaces into lines of at most so many characters, all but the first indented.
+std::string Wrapped(std::string_view text, int columns, const std::string& indent);
+
 /// printf into a string, of at most 255 bytes.
 template <class... Values>
 std::string Line(const char* format, Values... values) {

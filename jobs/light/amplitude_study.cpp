@@ -1,11 +1,18 @@
 #include "jobs/light/amplitude_study.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fit/scores.h"
 #include "jobs/light/histograms.h"
 
 namespace plumb {
+
+std::string NameOfMiddle(const std::string& name, const HeightField& field, int n) {
+    if (field.Width() <= n && field.Height() <= n) return name;
+    return name + ", its middle " + std::to_string(std::min(n, field.Width())) + " x " +
+           std::to_string(std::min(n, field.Height())) + " texels";
+}
 
 std::vector<double> SweptAmplitudes() {
     std::vector<double> shares;

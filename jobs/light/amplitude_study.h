@@ -15,10 +15,13 @@
 
 namespace plumb {
 
+/// What a report calls MiddleOf(field, n): the name, and which part of the map it is.
+std::string NameOfMiddle(const std::string& name, const HeightField& field, int n);
+
 /// Shares of the width from 0.1 % to 1000 %, three a decade.
 std::vector<double> SweptAmplitudes();
 
-/// Simulates `field` at every share of its width. If given, `recommended` and `published` are
+/// Simulates `field` at every share of its width (of the piece, where it is one). If given, `recommended` and `published` are
 /// scored at each amplitude. Throws Error if the field is flat.
 AmplitudeSweep StudyAmplitude(const std::string& name, const HeightField& field,
                               std::span<const double> shares_of_width,

@@ -116,7 +116,7 @@ TEST(FitReportCsv, ConstantsHaveTheirColumns) {
     const std::vector<std::string> lines = Lines(Written(&WriteConstantsCsv, MakeFitReport()));
     // F0 2, F1 2, free F1 4, three bounces of 3, escape of V 2.
     ASSERT_EQ(lines.size(), 1u + 2 + 2 + 4 + 9 + 2);
-    for (const std::string& line : lines) EXPECT_EQ(Fields(line).size(), 13u) << line;
+    for (const std::string& line : lines) EXPECT_EQ(Fields(line).size(), 14u) << line;
     const std::vector<std::string> A = Fields(lines[3]);
     EXPECT_EQ(A[0], "F1");
     EXPECT_EQ(A[2], "A");

@@ -13,7 +13,10 @@
 
 #include "core/error.h"
 #include "fit/cavity.h"
+#include "fit/escape_bent.h"
 #include "fit/escape_family.h"
+#include "fit/escape_forms.h"
+#include "fit/escape_of_both.h"
 #include "fit/gtao_cubic.h"
 #include "fit/mayaux_total.h"
 
@@ -35,7 +38,13 @@ std::vector<ShaderFormula> AllFormulas() {
     };
     return {at(ModelOf<EscapeOfV>(), {0.6667, 0.6303}, "PlumbEscapeOfV"),
             at(ModelOf<EscapeOfAlpha>(), {0.3911, 1.25, 0.832, 1.04}, "PlumbEscapeOfAlpha"),
+            at(ModelOf<EscapeOfAlphaClamped>(), {0.62, 0.71, 0.91, 0.52},
+               "PlumbEscapeOfAlphaClamped"),
+            at(ModelOf<EscapeOfBoth>(), {0.31, 0.44}, "PlumbEscapeOfBoth"),
+            at(ModelOf<EscapeBentOfV>(), {0.42, 0.27}, "PlumbEscapeBentOfV"),
             at(ModelOf<CavityModel>(), {}, "PlumbCavity"),
+            at(ModelOf<GtaoCubicModel>(), {2.0404, -0.3324, -4.7951, 0.6417, 2.7552, 0.6903},
+               "PlumbGtaoCubic"),
             at(ModelOf<MayauxTotalModel<PoleGuard::kPort>>(),
                {0.5, 0.75, 27.576937094210385, 3.3364392003423804}, "PlumbMayaux")};
 }
@@ -86,6 +95,19 @@ std::string Calls(const std::string& float3) {
     for (const ShaderFormula& one : AllFormulas())
         call(one.function, one.formula.model.inputs.alpha, one.formula.model.inputs.V);
     return text;
+}
+
+// A body that is not in the list above is compared with nothing.
+TEST(ShaderHeader, EveryModelWithShaderCodeIsTried) {
+    const std::vector<ShaderFormula> tried = AllFormulas();
+    for (const Model& model : AllModels()) {
+        EXPECT_EQ(HasShaderCode(model), std::any_of(tried.begin(), tried.end(),
+                                                    [&](const ShaderFormula& one) {
+                                                        return one.formula.model.name ==
+                                                               model.name;
+                                                    }))
+            << model.name;
+    }
 }
 
 TEST(ShaderHeader, CompilesAsGlsl) {
@@ -157,12 +179,21 @@ struct Both {
     Float3 operator()(float v, float r) const { return Float3(one(v, r)); }
     Float3 operator()(float v, Float3 r) const { return three(v, r); }
 };
+// Two visibilities that are never the same but at 1/2: which is which shows.
+struct OfBoth {
+    float (*one)(float, float, float);
+    Float3 (*three)(float, float, Float3);
+    Float3 operator()(float v, float r) const { return Float3(one(v, 1.0f - v, r)); }
+    Float3 operator()(float v, Float3 r) const { return three(v, 1.0f - v, r); }
+};
 int main() {
 )";
     const std::vector<ShaderFormula> formulas = AllFormulas();
     for (std::size_t i = 0; i < formulas.size(); ++i) {
         const std::string name = "plumb_shader::" + formulas[i].function;
-        text += "    Grid(Both{" + name + ", " + name + "}, " + std::to_string(i) + ");\n";
+        const ModelInputs& reads = formulas[i].formula.model.inputs;
+        text += std::string("    Grid(") + (reads.alpha && reads.V ? "OfBoth{" : "Both{") +
+                name + ", " + name + "}, " + std::to_string(i) + ");\n";
     }
     return text + "}\n";
 }
@@ -182,6 +213,10 @@ double Unit(double x) {
 // Mayaux18: F1 <= 1/2 carries eps (6 + 3 B alpha^(1/4)) <= 16 eps, F0 <= 1.01 carries 3 eps,
 // and the fraction has derivatives of at most 1 in F1 and in 1 - F0: 8 + 2 * 3 + 4 eps. The
 // extreme points are clamped or lie where V = 0 or 1. 24 eps for all.
+//
+// The cubic cancels: its constants and their sums a <= 1.8, b <= 4.2, c <= 3.5 are rounded by
+// eps / 2 of their size, 20 eps in all, the five operations after them by eps / 2 of at most
+// 4.2 each, 9 eps: 32 eps.
 TEST(ShaderHeader, TheCppHeaderAgreesWithTheLibrary) {
     const double tolerance = 24 * std::numeric_limits<float>::epsilon();
     const std::filesystem::path folder = TestFolder();
@@ -207,9 +242,12 @@ TEST(ShaderHeader, TheCppHeaderAgreesWithTheLibrary) {
             return std::strtod(word.c_str(), nullptr);
         };
         const std::size_t f = std::stoul(number);
-        const double v = Unit(value(visibility));
-        const double expected = Unit(formulas[f].formula(
-            {UniformVisibility(v), CosineVisibility(v), Albedo(Unit(value(albedo)))}));
+        const double v = value(visibility);
+        const ModelInputs& reads = formulas[f].formula.model.inputs;
+        const double V = reads.alpha && reads.V ? double(1.0F - float(v)) : v;
+        const double expected =
+            Unit(formulas[f].formula({UniformVisibility(Unit(v)), CosineVisibility(Unit(V)),
+                                      Albedo(Unit(value(albedo)))}));
         const double E = value(one);
         ASSERT_TRUE(E >= 0 && E <= 1) << formulas[f].function << ": " << line;
         ASSERT_EQ(E, value(three)) << formulas[f].function << ": " << line;
@@ -217,7 +255,9 @@ TEST(ShaderHeader, TheCppHeaderAgreesWithTheLibrary) {
     }
     EXPECT_EQ(points, int(formulas.size()) * (513 * 65 + 10 * 9));
     for (std::size_t f = 0; f < formulas.size(); ++f)
-        EXPECT_LE(worst[f], tolerance) << formulas[f].function;
+        EXPECT_LE(worst[f],
+                  (formulas[f].function == "PlumbGtaoCubic" ? 4 / 3.0 : 1) * tolerance)
+            << formulas[f].function;
 }
 
 TEST(ShaderHeader, SaysWhereItComesFrom) {
@@ -234,6 +274,22 @@ TEST(ShaderHeader, SaysWhereItComesFrom) {
     }
 }
 
+// A formula that is not the best, or whose constant a bound holds, says so where it is pasted.
+TEST(ShaderHeader, SaysWhatMustBeSaidOfAFormula) {
+    ShaderHeader header = MakeHeader();
+    header.recommended.caveats = {"b = 0 stands at a bound.", "line\nbreak"};
+    header.alternatives[1].caveats = {"\"x\" has less error."};
+    const std::string text = WriteShaderHeader(header, ShaderLanguage::kHlsl);
+    const std::size_t recommended = text.find("// Beware: b = 0 stands at a bound.\n"),
+                      function = text.find("float PlumbTotal("),
+                      other = text.find("// Beware: \"x\" has less error.\n");
+    ASSERT_NE(recommended, std::string::npos);
+    EXPECT_LT(recommended, function);
+    EXPECT_LT(text.find("float PlumbEscapeOfV("), other);
+    EXPECT_LT(other, text.find("float PlumbEscapeOfAlpha("));
+    EXPECT_THAT(text, HasSubstr("// Beware: line?break\n"));
+}
+
 // A line break or a trailing backslash in a name would put the name, or the next line, into or
 // out of the code.
 TEST(ShaderHeader, NamesStayInTheirComments) {
@@ -245,7 +301,7 @@ TEST(ShaderHeader, NamesStayInTheirComments) {
 
 TEST(ShaderHeader, RefusesWhatItCannotWrite) {
     ShaderHeader header = MakeHeader();
-    header.recommended.formula = AtInitialValues(ModelOf<GtaoCubicModel>(), "cubic");
+    header.recommended.formula = AtInitialValues(ModelOf<EscapeLinearOfV>(), "a + b V");
     EXPECT_FALSE(HasShaderCode(header.recommended.formula.model));
     EXPECT_THROW(WriteShaderHeader(header, ShaderLanguage::kGlsl), Error);
     header = MakeHeader();

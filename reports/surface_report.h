@@ -16,7 +16,8 @@
 
 namespace plumb {
 
-/// The figures of one surface. Means are weighted by facet area unless the line says otherwise.
+/// The figures of one surface. Means are plain ones over facets, which share one projected area:
+/// per unit of ground, not of true area.
 struct SurfaceFigures {
     static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -25,13 +26,13 @@ struct SurfaceFigures {
     double mean_V = kUnknown;
     double mean_first_bounce = kUnknown;  ///< Mean E_1.
     double mean_slope_deg = kUnknown;     ///< Mean angle between facet normal and +z.
-    double links_per_facet = kUnknown;    ///< Plain mean over facets.
+    double links_per_facet = kUnknown;
     double cut_short = kUnknown;  ///< Share of a hemisphere whose line of sight was cut.
     double max_furnace_error = kUnknown;  ///< max |Sum_k E_k + tail - 1| at albedo 1.
     double light_under_way = kUnknown;    ///< max_i 1 - Sum_{k <= K} E_k: what K bounces miss.
     int bounces_run = 0;                  ///< Until the totals were settled; K or more.
 
-    /// Plain mean of V / n_z per unit of ground area: 1 on a closed (wrapped or mirrored)
+    /// Mean of V / n_z: 1 on a closed (wrapped or mirrored)
     /// surface, whatever its shape. The standard error is that of the sampling, from the
     /// differences between neighbours: too large where the surface is rough from cell to cell.
     std::optional<Estimate> aperture;

@@ -90,8 +90,9 @@ SimulateResult Simulate(const Surface& surface, const SimulateJob& job,
         SimulateSettings brief = job.settings;
         brief.check_furnace = false;
         report.amplitudes =
-            StudyAmplitude(surface.source.name, MiddleOf(surface.field, kSweepTexels),
-                           SweptAmplitudes(), brief, nullptr, nullptr, monitor);
+            StudyAmplitude(NameOfMiddle(surface.source.name, surface.field, kSweepTexels),
+                           MiddleOf(surface.field, kSweepTexels), SweptAmplitudes(), brief,
+                           nullptr, nullptr, monitor);
     }
     WritePictures(folder, surface.field, light.V, report.surface);
     result.page = WriteSimulateResults(folder, report);

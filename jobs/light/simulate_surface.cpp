@@ -111,7 +111,10 @@ SurfaceLight SimulateSurface(const std::string& name, const HeightField& field,
                             light.V);
     HistogramBuilder over_both(name, BinnedBy::kBothVisibilities, kAlphaVGridSide, light.alpha,
                                light.V);
+    std::vector<double> arrived;  // Of every facet, after the bounces that are kept.
     const auto gather = [&](int k, std::span<const double> E_k) {
+        arrived.resize(E_k.size());
+        for (std::size_t i = 0; i < E_k.size(); ++i) arrived[i] += E_k[i];
         over_alpha.AddBounce(E_k);
         over_V.AddBounce(E_k);
         if (k == 1) {
@@ -131,7 +134,7 @@ SurfaceLight SimulateSurface(const std::string& name, const HeightField& field,
         over_both.AddTotal(settings.albedos[r], light.total[r]);
     }
     light.figures.bounces_run = light.series.bounces_run;
-    light.figures.light_under_way = light.series.largest_under_way;
+    light.figures.light_under_way = 1 - *std::min_element(arrived.begin(), arrived.end());
     watch.Lap("bounces");
 
     if (settings.check_furnace) {

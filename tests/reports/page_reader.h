@@ -1,0 +1,97 @@
+// What a test reads back from a page: its tables as text, its plots as numbers.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace plumb {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// Text of HTML: tags left out, entities as they are.
+inline std::string WithoutTags(const std::string& html) {
+    std::string text;
+    bool tag = false;
+    for (const char c : html) {
+        if (c == '<') tag = true;
+        if (!tag) text += c;
+        if (c == '>') tag = false;
+    }
+    return text;
+}
+
+/// What stands between two marks, from `at` on, which moves behind it; empty at the end.
+inline std::string Between(const std::string& text, const std::string& open,
+                           const std::string& close, std::size_t& at) {
+    const std::size_t begin = text.find(open, at);
+    if (begin == std::string::npos) return at = std::string::npos, "";
+    const std::size_t end = text.find(close, begin);
+    at = end;
+    return text.substr(begin + open.size(), end - begin - open.size());
+}
+
+/// All rows of the table whose head starts with `first` columns (as text), the head included.
+inline Rows TableOf(const std::string& html, const std::vector<std::string>& first) {
+    for (std::size_t at = 0;;) {
+        const std::string table = Between(html, "<table", "</table>", at);
+        if (at == std::string::npos) break;
+        Rows rows;
+        for (std::size_t row_at = 0;;) {
+            const std::string row = Between(table, "<tr", "</tr>", row_at);
+            if (row_at == std::string::npos) break;
+            std::vector<std::string> cells;
+            for (std::size_t cell_at = 0; cell_at < row.size();) {
+                const std::size_t th = row.find("<th", cell_at), td = row.find("<td", cell_at);
+                const std::size_t begin = std::min(th, td);
+                if (begin == std::string::npos) break;
+                const std::size_t content = row.find('>', begin) + 1;
+                const std::size_t end = row.find(th < td ? "</th>" : "</td>", content);
+                cells.push_back(WithoutTags(row.substr(content, end - content)));
+                cell_at = end;
+            }
+            rows.push_back(std::move(cells));
+        }
+        if (!rows.empty() && rows[0].size() >= first.size() &&
+            std::equal(first.begin(), first.end(), rows[0].begin()))
+            return rows;
+    }
+    ADD_FAILURE() << "no table " << first.front();
+    return {};
+}
+
+inline nlohmann::ordered_json PlotDataOf(const std::string& html) {
+    std::size_t at = 0;
+    return nlohmann::ordered_json::parse(
+        Between(html, "<script type=\"application/json\" id=\"plumb-data\">", "</script>", at));
+}
+
+/// The series of a plot, in the view of those keys ({} = the only one), with that label and mark
+/// ("" = any): its column `which`.
+inline std::vector<double> SeriesOf(const nlohmann::ordered_json& data, const std::string& plot,
+                                    const nlohmann::ordered_json& keys,
+                                    const std::string& label, const std::string& which,
+                                    const std::string& mark = "") {
+    for (const auto& one : data["plots"]) {
+        if (one["id"] != plot) continue;
+        for (const auto& view : one["views"]) {
+            if (!keys.empty() && view["keys"] != keys) continue;
+            for (const auto& series : view["series"]) {
+                if (series.value("label", "") != label) continue;
+                if (!mark.empty() && series["mark"] != mark) continue;
+                std::vector<double> values;
+                for (const auto& value : data["columns"].at(series[which].get<std::size_t>()))
+                    values.push_back(value.is_null() ? std::nan("") : value.get<double>());
+                return values;
+            }
+        }
+    }
+    ADD_FAILURE() << "no series " << label << " of " << plot << " " << keys.dump();
+    return {};
+}
+
+}  // namespace plumb

@@ -101,7 +101,11 @@ TEST(ReportScene, RefusesWhatCannotBeScored) {
 TEST(ReportScene, PutsTheCommandLineBeforeTheFileBeforeTheDefault) {
     const Scene scene = FloorAndWall(64, 36);
     LoadedScene loaded{scene, {}, "digest"};
-    loaded.techniques.push_back({"gtao", 0.5, {}, {}});
+    loaded.techniques.push_back({.name = "gtao",
+                                 .asked_by = "techniques[0]",
+                                 .radius_m = 0.5,
+                                 .samples = {},
+                                 .filter = {}});
     SceneReportJob job = Brief();
     job.techniques = {"gtao"};
     const auto report = [&](std::optional<double> radius_m) {

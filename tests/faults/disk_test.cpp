@@ -77,7 +77,7 @@ constexpr const char* kTalkers[] = {
     "--json",
     "truth wedge --width 16 --height 16 --spp 64 --json",
     "truth wedge --facets --spp 16",
-    "render wedge --width 16 --height 16 --technique gtao",
+    "render wedge --width 16 --height 16 --technique gtao-paper",
     "report wedge --width 64 --height 36 --spp 16 --rounds 1 --no-studies --technique gtao "
     "--json",
     "bench raster wedge --width 32 --height 32 --rounds 1 --json",

@@ -184,5 +184,23 @@ TEST(BitmaskCosine, AgreesWithGtaoOnASphereAndAStep) {
     EXPECT_LT(darkest, 0.6);
 }
 
+// Expected from the definition: A = max(least, V^power), and an eye-facing plane, whose slices have
+// L = 1, is open whatever the lift; so are far samples of a plane, which no fade can raise.
+TEST(Gtao, PowerLeastAndLiftAreWhatTheySay) {
+    const GBuffer tilted = MadeGBuffer(MadeView(96, 96, 0.5), MadePlane({0.6, 0, 1}, -5));
+    const SliceSampling s{.radius_m = 1, .slices = 3, .steps = 4};
+    const double V = GtaoOfPixel(tilted, {.sampling = s}, 40, 40);
+    EXPECT_NEAR(GtaoOfPixel(tilted, {.sampling = s, .power = 2.2}, 40, 40), std::pow(V, 2.2),
+                1e-12);
+    EXPECT_EQ(GtaoOfPixel(tilted, {.sampling = s, .least = 1}, 40, 40), std::max(1.0, V));
+    // The rounding of z, 3e-7 m, over the nearest sample's distance of 0.05 m.
+    EXPECT_NEAR(GtaoOfPixel(tilted, {.sampling = s, .fade = HorizonFade::kBehind}, 40, 40), V,
+                2e-5);
+    const GBuffer facing = MadeGBuffer(MadeView(64, 64, 0.01), MadePlane({0, 0, 1}, -5));
+    EXPECT_NEAR(GtaoOfPixel(facing, {.sampling = s, .length_lift = 1}, 32, 32), 1, 1e-3);
+    // Tilted, L < 1: lifted to 1 the slices count more.
+    EXPECT_GT(GtaoOfPixel(tilted, {.sampling = s, .length_lift = 1}, 40, 40), V);
+}
+
 }  // namespace
 }  // namespace plumb

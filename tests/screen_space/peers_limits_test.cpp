@@ -185,6 +185,15 @@ TEST(PeersPicture, AgreesWithTheReference) {
                 ExpectAgrees(
                     g, Gtao(g, gtao), [&](int i, int j) { return GtaoOfPixel(g, gtao, i, j); },
                     0.01);
+                const GtaoOptions other{.sampling = s,
+                                        .fade = HorizonFade::kBehind,
+                                        .length_lift = 0.05,
+                                        .power = 2.2,
+                                        .least = 0.03,
+                                        .normalize = normalize};
+                ExpectAgrees(
+                    g, Gtao(g, other),
+                    [&](int i, int j) { return GtaoOfPixel(g, other, i, j); }, 0.01);
                 const BitmaskOptions mask{
                     .sampling = s,
                     .measure = normalize ? SectorMeasure::kCosine : SectorMeasure::kUniform,
@@ -268,6 +277,12 @@ TEST(Peers, ValidateTheirOptions) {
               "GtaoOptions::falloff_start = 2, must be in [0, 1]");
     EXPECT_EQ(MessageOf([&] { Gtao(g, {.thickness_blend = 1}); }),
               "GtaoOptions::thickness_blend = 1, must be in [0, 1)");
+    EXPECT_EQ(MessageOf([&] { Gtao(g, {.length_lift = -1}); }),
+              "GtaoOptions::length_lift = -1, must be in [0, 1]");
+    EXPECT_EQ(MessageOf([&] { Gtao(g, {.power = 0}); }),
+              "GtaoOptions::power = 0, must be in [0.1, 10]");
+    EXPECT_EQ(MessageOf([&] { Gtao(g, {.least = 2}); }),
+              "GtaoOptions::least = 2, must be in [0, 1]");
     EXPECT_EQ(MessageOf([&] { VisibilityBitmask(g, {.thickness_m = 0}); }),
               "BitmaskOptions::thickness_m = 0, must be > 0");
     EXPECT_EQ(MessageOf([&] { VisibilityBitmask(g, {.sectors = 65}); }),

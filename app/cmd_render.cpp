@@ -18,12 +18,14 @@ struct Options {
     std::string scene;
     RenderJob job;
     ViewOptions view;
+    TechniqueOptions technique;
     Common common;
 };
 
 void Run(Options o) {
     SetThreadCount(o.common.threads);
     const auto monitor = MakeMonitor(o.common);
+    o.job.values = ValuesFor(o.technique, o.job.technique);
     o.job.camera = o.view.camera;
     o.job.width_px = o.view.width_px;
     o.job.height_px = o.view.height_px;
@@ -56,11 +58,7 @@ void AddRender(CLI::App& program) {
         names += (names.empty() ? "" : ", ") + name;
     command->add_option("--technique", o->job.technique, "One of: " + names)
         ->capture_default_str();
-    command->add_option("--radius", o->job.radius_m,
-                        "Radius [m]; not given: the scene file's, else 1.5");
-    command->add_option("--samples", o->job.samples,
-                        "Depth lookups or rays a pixel; not given: the scene file's, else as "
-                        "shipped");
+    AddTechniqueOptions(*command, o->technique);
     AddViewOptions(*command, o->view);
     AddCommon(*command, o->common);
     command->callback([o] { Run(*o); });

@@ -20,6 +20,7 @@ struct Options {
     std::vector<std::string> scenes;
     SceneReportJob job;
     ViewOptions view;
+    std::vector<std::string> set;
     Common common;
     CLI::Option* out = nullptr;
 };
@@ -27,6 +28,7 @@ struct Options {
 void RunOne(const Options& o, const LoadedScene& loaded, const std::filesystem::path& folder,
             Monitor& monitor) {
     SceneReportJob job = o.job;
+    job.set = ValuesOfSet(o.set);
     job.width_px = o.view.width_px;
     job.height_px = o.view.height_px;
     job.guard_px = o.view.guard_px;
@@ -95,6 +97,7 @@ void AddReport(CLI::App& program) {
         ->capture_default_str();
     command->add_flag("!--no-studies", o->job.studies,
                       "Leave out budget, sweep, times and flicker");
+    AddSetOption(*command, o->set);
     AddPictureOptions(*command, o->view);
     AddCommon(*command, o->common);
     o->out = command->get_option("--out");

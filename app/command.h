@@ -41,6 +41,7 @@ void AddSimulate(CLI::App& program);
 void AddTruth(CLI::App& program);
 void AddRender(CLI::App& program);
 void AddReport(CLI::App& program);
+void AddTechniques(CLI::App& program);
 void AddBench(CLI::App& program);
 void AddBenchRaster(CLI::App& bench);
 void AddBenchTruth(CLI::App& bench);

@@ -52,6 +52,7 @@ int Run(int argc, char** argv) {
     AddTruth(program);
     AddRender(program);
     AddReport(program);
+    AddTechniques(program);
     AddBench(program);
     const int status = Parse(program, argc, argv);
     FlushOutput();

@@ -12,10 +12,16 @@
 namespace plumb {
 namespace {
 
+// The shortest digits that read back to the same bits: "1e7", where the library has "1e+07".
 std::string Digits(double value) {
     std::array<char, 32> digits;
-    return {digits.data(),
-            std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+    std::string text(digits.data(),
+                     std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+    const std::size_t e = text.find('e');
+    if (e == std::string::npos) return text;
+    const bool negative = text[e + 1] == '-';
+    const std::size_t first = text.find_first_not_of("+-0", e + 1);
+    return text.substr(0, e + 1) + (negative ? "-" : "") + text.substr(first);
 }
 
 std::optional<double> NumberOf(const std::string& text) {
@@ -75,9 +81,25 @@ double ValueOf(const Description& description, const KnobValues& values,
                                  : KnobNamed(description, name, "values").published;
 }
 
-KnobValues Merged(KnobValues under, const KnobValues& over) {
+KnobValues Merged(const Description& description, KnobValues under, const KnobValues& over) {
+    for (const auto& [name, value] : over) {
+        for (const std::string& covered : KnobNamed(description, name, "values").covers) {
+            under.erase(covered);
+        }
+    }
     for (const auto& [name, value] : over) under[name] = value;
     return under;
+}
+
+KnobValues ValuesOfTexts(const Description& description,
+                         const std::map<std::string, std::string>& texts,
+                         const std::string& where) {
+    KnobValues values;
+    for (const auto& [name, text] : texts) {
+        values[name] =
+            ValueOfText(KnobNamed(description, name, where), text, where + "." + name);
+    }
+    return values;
 }
 
 }  // namespace plumb

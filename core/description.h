@@ -27,6 +27,7 @@ struct Knob {
     bool low_is_out = false, high_is_out = false;
     std::vector<std::string> choices = {};  ///< Of a choice; off and on of a switch.
     double published = 0;                   ///< What runs if nothing is said.
+    std::vector<std::string> covers = {};   ///< Knobs after it that it sets too.
 
     bool IsSwitch() const { return kind == Kind::kSwitch; }
 };
@@ -61,7 +62,12 @@ const Knob& KnobNamed(const Description& description, const std::string& name,
 double ValueOf(const Description& description, const KnobValues& values,
                const std::string& name);
 
-/// `over` wins.
-KnobValues Merged(KnobValues under, const KnobValues& over);
+/// Those of `over` win, and what a knob of `over` covers loses what `under` says of it.
+KnobValues Merged(const Description& description, KnobValues under, const KnobValues& over);
+
+/// Texts by knob, as a file has them. `where` says which one; Throws Error as ValueOfText does.
+KnobValues ValuesOfTexts(const Description& description,
+                         const std::map<std::string, std::string>& texts,
+                         const std::string& where);
 
 }  // namespace plumb

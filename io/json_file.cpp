@@ -183,6 +183,24 @@ const Json& JsonFields::NeedList(const char* field) {
     return *list;
 }
 
+std::map<std::string, std::string> JsonFields::OtherScalars() {
+    std::map<std::string, std::string> scalars;
+    for (const auto& [field, value] : object_.items()) {
+        if (std::find(asked_.begin(), asked_.end(), field) != asked_.end()) continue;
+        asked_.push_back(field);
+        if (value.is_boolean()) {
+            scalars[field] = value.get<bool>() ? "on" : "off";
+        } else if (value.is_string()) {
+            scalars[field] = value.get<std::string>();
+        } else if (value.is_number()) {
+            scalars[field] = value.dump();
+        } else {
+            Refuse(NameOf(field), value, "a number, a text, true or false");
+        }
+    }
+    return scalars;
+}
+
 void JsonFields::Finish() const {
     for (const auto& [field, value] : object_.items()) {
         if (std::find(asked_.begin(), asked_.end(), field) == asked_.end()) {

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -56,6 +57,10 @@ class JsonFields {
     std::string NeedOneOf(const char* field, const std::vector<std::string>& choices);
     std::vector<double> NeedNumbers(const char* field, const NumberRule& rule);
     const nlohmann::ordered_json& NeedList(const char* field);  ///< To be read on.
+
+    /// All fields that nobody has asked for yet, as text: numbers by digits that read back, true and
+    /// false as on and off. Throws Error where one is a list, an object or null.
+    std::map<std::string, std::string> OtherScalars();
 
     /// "walls.json: bins[4].low", the name of a field in errors.
     std::string NameOf(const std::string& field) const;

@@ -22,10 +22,6 @@ constexpr NumberRule kPixels{"a whole number in [1, 65536]", [](double x) {
 constexpr NumberRule kTiles{"a whole number in [0, 16]",
                             [](double x) { return 0 <= x && x <= 16 && x == std::floor(x); }};
 
-constexpr NumberRule kSamples{"a whole number in [1, 4096]", [](double x) {
-                                  return 1 <= x && x <= 4096 && x == std::floor(x);
-                              }};
-
 class Reader {
   public:
     explicit Reader(const std::filesystem::path& path) : path_(path), file_(path.string()) {}
@@ -261,12 +257,10 @@ class Reader {
     }
 
     void ReadTechnique(JsonFields& fields) {
-        TechniqueEntry entry;
-        entry.name = fields.NeedText("name");
-        entry.asked_by = fields.NameOf("name");
-        entry.radius_m = fields.Number("radius_m", kPositive);
-        if (const auto n = fields.Number("samples", kSamples)) entry.samples = int(*n);
-        entry.filter = fields.Flag("filter");
+        TechniqueEntry entry{
+            .name = fields.NeedText("name"),
+            .where = file_ + ": techniques[" + std::to_string(out_.techniques.size()) + "]",
+            .values = fields.OtherScalars()};
         for (const TechniqueEntry& other : out_.techniques) {
             if (other.name == entry.name) {
                 throw Error(fields.NameOf("name") + " = " + entry.name +

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,13 +23,13 @@ struct HeightsEntry {
     int tiles = 1;  ///< A map that repeats is repeated so often to each side. [0, 16]
 };
 
-/// What the file says of one technique; what is unset is left to the command line.
+/// What the file says of one technique: its knobs, as text. Which techniques and knobs there are is
+/// not asked here.
 struct TechniqueEntry {
-    std::string name;                ///< Whether there is such a technique is not asked here.
-    std::string asked_by;            ///< The field that names it, for errors.
-    std::optional<double> radius_m;  ///< > 0
-    std::optional<int> samples;      ///< Depth lookups or rays a pixel. [1, 4096]
-    std::optional<bool> filter;
+    std::string name;
+    std::string where;  ///< "hall.json: techniques[0]".
+    std::map<std::string, std::string>
+        values;  ///< "0.75", "spiral"; true and false: "on", "off".
 };
 
 /// What the file says. If it names a generator, `scene` has no surfaces yet, and what is unset

@@ -52,9 +52,11 @@ BoundKnobs<SaoOptions> FilterKnobs() {
                 return o.blur.kernel[k];
             }));
     }
-    knobs.push_back({SwitchCalled("filter", "Both filter passes"),
-                     [](const O& o) { return o.blur_x || o.blur_y ? 1 : 0; },
-                     [](O& o, double on) { o.blur_x = o.blur_y = on != 0; }});
+    BoundKnob<O> both{SwitchCalled("filter", "Both filter passes"),
+                      [](const O& o) { return o.blur_x || o.blur_y ? 1 : 0; },
+                      [](O& o, double on) { o.blur_x = o.blur_y = on != 0; }};
+    both.knob.covers = {"filter_x", "filter_y"};
+    knobs.push_back(both);
     knobs.push_back(Switch<O>(
         "filter_x", "The bilateral filter along x", [](auto& o) -> auto& { return o.blur_x; }));
     knobs.push_back(Switch<O>(

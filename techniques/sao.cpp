@@ -42,6 +42,7 @@ BoundKnobs<O> TapKnobs() {
     BoundKnob<O> samples = Whole<O>(
         "samples", "s", "", {1, 4096}, "Taps a pixel; turns follow it if not given",
         [](auto& o) -> auto& { return o.sampling.taps.samples; });
+    samples.knob.covers = {"turns"};
     samples.set = [](O& o, double s) {
         o.sampling.taps.samples = int(s);
         o.sampling.taps.turns = 0;
@@ -89,6 +90,15 @@ BoundKnobs<O> TapKnobs() {
 }
 
 BoundKnobs<O> PyramidKnobs() {
+    BoundKnob<O> pyramid{SwitchCalled("pyramid", "Taps far away read coarser levels of depth"),
+                         [](const O& o) { return o.sampling.taps.coarsest_level > 0 ? 1 : 0; },
+                         [](O& o, double on) {
+                             int& coarsest = o.sampling.taps.coarsest_level;
+                             if (on == 0) coarsest = 0;
+                             if (on != 0 && coarsest == 0)
+                                 coarsest = TapOptions().coarsest_level;
+                         }};
+    pyramid.knob.covers = {"coarsest_level"};
     return {
         Choice<O>(
             "pyramid_filter",
@@ -101,13 +111,7 @@ BoundKnobs<O> PyramidKnobs() {
         Whole<O>(
             "coarsest_level", "", "", {0, 14}, "Of the z pyramid; 0 = no pyramid",
             [](auto& o) -> auto& { return o.sampling.taps.coarsest_level; }),
-        {SwitchCalled("pyramid", "Taps far away read coarser levels of depth"),
-         [](const O& o) { return o.sampling.taps.coarsest_level > 0 ? 1 : 0; },
-         [](O& o, double on) {
-             int& coarsest = o.sampling.taps.coarsest_level;
-             if (on == 0) coarsest = 0;
-             if (on != 0 && coarsest == 0) coarsest = TapOptions().coarsest_level;
-         }},
+        pyramid,
     };
 }
 

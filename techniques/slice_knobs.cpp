@@ -11,6 +11,7 @@ BoundKnobs<SliceSampling> SliceKnobs() {
         "samples", "", "", {1, 4096},
         "About so many depth lookups a pixel: sets slices and steps",
         [](auto& o) -> auto& { return o.steps; });
+    samples.knob.covers = {"slices", "steps"};
     samples.get = [](const O& o) { return double(SamplesOf(o)); };
     samples.set = [](O& o, double wanted) {
         o.steps = std::max(1, int(std::lround(std::sqrt(wanted / 2))));

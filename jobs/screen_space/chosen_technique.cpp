@@ -3,9 +3,13 @@
 namespace plumb {
 
 ChosenTechnique Chosen(const LoadedScene& loaded, const std::string& name,
-                       std::optional<double> radius_m) {
+                       std::optional<double> radius_m, const ValuesByTechnique& set) {
     ChosenTechnique chosen{name, SettingsOf(loaded, name, {})};
-    chosen.settings.radius_m = radius_m.value_or(chosen.settings.radius_m);
+    if (radius_m) chosen.settings.radius_m = *radius_m;
+    const auto of_technique = set.find(name);
+    if (of_technique != set.end()) {
+        chosen.settings = Over(chosen.settings, name, of_technique->second);
+    }
     TechniqueNamed(name, chosen.settings);
     return chosen;
 }

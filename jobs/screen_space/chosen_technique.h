@@ -17,8 +17,9 @@ struct ChosenTechnique {
     Technique Made() const { return TechniqueNamed(name, settings); }
 };
 
-/// `radius_m` is the command line's. Throws Error if there is no such technique.
+/// `radius_m` and `set` are the command line's; `set` wins. Throws Error if there is no such
+/// technique, or a value that it does not take.
 ChosenTechnique Chosen(const LoadedScene& loaded, const std::string& name,
-                       std::optional<double> radius_m);
+                       std::optional<double> radius_m, const ValuesByTechnique& set = {});
 
 }  // namespace plumb

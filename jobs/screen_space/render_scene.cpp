@@ -58,9 +58,8 @@ int GuardPx(int guard_px, int height_px) {
 RenderResult RenderScene(const LoadedScene& loaded, const RenderJob& job,
                          const std::filesystem::path& folder, const std::string& tool_version,
                          const std::string& command, const PassClock& clock, Monitor& monitor) {
-    TechniqueSettings settings = SettingsOf(loaded, job.technique, {});
-    settings.radius_m = job.radius_m.value_or(settings.radius_m);
-    settings.samples = job.samples.value_or(settings.samples);
+    const TechniqueSettings settings =
+        Over(SettingsOf(loaded, job.technique, {}), job.technique, job.values);
     const Technique technique = TechniqueNamed(job.technique, settings);
     const Scene& scene = loaded.scene;
     Camera camera = CameraNamed(scene, job.camera);

@@ -14,8 +14,7 @@ namespace plumb {
 
 struct RenderJob {
     std::string technique = "sao-supplement2012";
-    std::optional<double> radius_m;   ///< Not given: the scene file's, else 1.5.
-    std::optional<int> samples;       ///< Not given: the scene file's, else as shipped.
+    KnobValues values;                ///< Not given: the scene file's, else as published.
     std::string camera;               ///< Empty = the scene's first.
     int width_px = 0, height_px = 0;  ///< 0 = the camera's own. [0, 16384]
     int guard_px = -1;                ///< -1 = 128 px at 720 rows and in proportion. [-1, 4096]

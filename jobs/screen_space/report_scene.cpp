@@ -87,6 +87,9 @@ std::vector<Camera> CamerasOf(const Scene& scene, const SceneReportJob& job) {
     return cameras;
 }
 
+// Those whose passes are timed at the paper's sizes.
+const std::string kTimedSao = "sao-supplement2012", kTimedAlchemy = "alchemy";
+
 std::string BudgetTechnique(const SceneReportJob& job) {
     return job.budget == "alchemy" ? job.budget : "sao-" + job.budget;
 }
@@ -120,11 +123,10 @@ void AddStudies(const LoadedScene& loaded, const SceneReportJob& job,
     report.sweep = std::move(sweep.points);
     report.cheapest = std::move(sweep.cheapest);
     const auto sao = [&](const std::string& technique, const std::string& preset) {
-        return NamedSao{preset,
-                        SaoWith(preset, Chosen(loaded, technique, job.radius_m).settings)};
+        return NamedSao{
+            preset, SaoWith(preset, Chosen(loaded, technique, job.radius_m, job.set).settings)};
     };
-    const NamedSao saos[] = {sao("sao-supplement2012", "supplement2012"),
-                             sao("alchemy", "alchemy")};
+    const NamedSao saos[] = {sao(kTimedSao, "supplement2012"), sao(kTimedAlchemy, "alchemy")};
     report.times = TimePasses(scene, camera, caster, saos, job.sizes, job.rounds,
                               report.copy_bytes_per_second.value, clock, monitor);
     report.radii_width_px = job.radii_size.width_px;
@@ -161,11 +163,16 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
     std::vector<ChosenTechnique> chosen;
     std::vector<Technique> techniques;
     for (const std::string& name : job.techniques.empty() ? TechniqueNames() : job.techniques) {
-        chosen.push_back(Chosen(loaded, name, job.radius_m));
+        chosen.push_back(Chosen(loaded, name, job.radius_m, job.set));
         techniques.push_back(chosen.back().Made());
     }
-    const SaoOptions budget =
-        SaoWith(job.budget, Chosen(loaded, BudgetTechnique(job), job.radius_m).settings);
+    std::vector<std::string> running;
+    for (const ChosenTechnique& one : chosen) running.push_back(one.name);
+    if (job.studies)
+        running.insert(running.end(), {BudgetTechnique(job), kTimedSao, kTimedAlchemy});
+    CheckSetIsOf(job.set, running);
+    const SaoOptions budget = SaoWith(
+        job.budget, Chosen(loaded, BudgetTechnique(job), job.radius_m, job.set).settings);
 
     SceneReport report;
     report.tool_version = tool_version;

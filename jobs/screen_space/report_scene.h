@@ -28,6 +28,7 @@ struct SceneReportJob {
     int width_px = 0, height_px = 0;   ///< 0 = the camera's own. [0, 16384]
     int guard_px = -1;               ///< -1 = 128 px at 720 rows and in proportion. [-1, 4096]
     std::optional<double> radius_m;  ///< r of the truth and of every technique. (0, infinity)
+    ValuesByTechnique set;  ///< What the command line turns; wins over radius_m and the file.
     std::vector<std::string> techniques;    ///< Empty = all of TechniqueNames().
     std::string budget = "supplement2012";  ///< The preset whose error is split.
     int spp = 256;      ///< Rays a pixel of the first view's truth: a power of two. [16, 2^20]

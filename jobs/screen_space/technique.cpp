@@ -37,10 +37,25 @@ std::vector<Pass> Timed(const Run& run, const PassClock& clock) {
 }
 
 KnobValues ValuesOf(const TechniqueSettings& settings) {
-    KnobValues values{{"radius_m", settings.radius_m}};
+    KnobValues values = settings.knobs;
+    values["radius_m"] = settings.radius_m;
     if (settings.samples > 0) values["samples"] = settings.samples;
     if (!settings.filter) values["filter"] = 0;
     return values;
+}
+
+// "gtao.radius_m=1": what stands before, between and behind.
+struct Assignment {
+    std::string technique, knob, value;
+};
+
+Assignment AssignmentOf(const std::string& text) {
+    const std::size_t dot = text.find('.'), equals = text.find('=');
+    if (dot == std::string::npos || equals == std::string::npos || equals < dot) {
+        throw Error("--set " + text + ", must be NAME.KNOB=VALUE, such as gtao-hard.slices=4");
+    }
+    return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1),
+            text.substr(equals + 1)};
 }
 
 }  // namespace
@@ -75,12 +90,11 @@ Technique TechniqueNamed(const std::string& name, const TechniqueSettings& setti
 
 SaoOptions SaoWith(const std::string& preset, const TechniqueSettings& settings) {
     SaoOptions options = SaoPresetNamed(preset);
-    options.sampling.sao.radius_m = settings.radius_m;
-    if (settings.samples > 0) {
-        options.sampling.taps.samples = settings.samples;
-        options.sampling.taps.turns = 0;
+    const KnobValues values = ValuesOf(settings);
+    for (const BoundKnob<SaoOptions>& bound : SaoKnobs()) {
+        const auto given = values.find(bound.knob.name);
+        if (given != values.end()) bound.set(options, given->second);
     }
-    if (!settings.filter) options.blur_x = options.blur_y = false;
     return options;
 }
 
@@ -100,17 +114,53 @@ Technique SaoTechnique(std::string name, const SaoOptions& options) {
 TechniqueSettings SettingsOf(const LoadedScene& loaded, const std::string& name,
                              TechniqueSettings otherwise) {
     for (const TechniqueEntry& entry : loaded.techniques) {
-        try {
-            DescribedTechnique(entry.name);
-        } catch (const Error& error) {
-            throw Error(entry.asked_by + ": " + error.what());
-        }
-        if (entry.name != name) continue;
-        otherwise.radius_m = entry.radius_m.value_or(otherwise.radius_m);
-        otherwise.samples = entry.samples.value_or(otherwise.samples);
-        otherwise.filter = entry.filter.value_or(otherwise.filter);
+        const Description& about =
+            DescribedTechnique(entry.name, entry.where + ".name").description;
+        const KnobValues values = ValuesOfTexts(about, entry.values, entry.where);
+        if (entry.name == name) otherwise = Over(otherwise, name, values);
     }
     return otherwise;
+}
+
+ValuesByTechnique ValuesOfSet(const std::vector<std::string>& set) {
+    ValuesByTechnique all;
+    for (const std::string& text : set) {
+        const Assignment given = AssignmentOf(text);
+        const Description& about =
+            DescribedTechnique(given.technique, "--set " + text + ": technique").description;
+        const KnobValues one =
+            ValuesOfTexts(about, {{given.knob, given.value}}, "--set " + given.technique);
+        KnobValues& values = all[given.technique];
+        values = Merged(about, values, one);
+    }
+    return all;
+}
+
+void CheckSetIsOf(const ValuesByTechnique& set, const std::vector<std::string>& running) {
+    for (const auto& [name, values] : set) {
+        PlaceOf(
+            name, running,
+            "--set " + name + "." + values.begin()->first + ": " + name + " does not run here");
+    }
+}
+
+TechniqueSettings Over(TechniqueSettings settings, const std::string& technique,
+                       const KnobValues& values) {
+    const Description& about = DescribedTechnique(technique).description;
+    KnobValues all = Merged(about, ValuesOf(settings), values);
+    const auto taken = [&](const char* knob, double otherwise) {
+        const auto found = all.find(knob);
+        if (found == all.end()) return otherwise;
+        const double value = found->second;
+        all.erase(found);
+        return value;
+    };
+    TechniqueSettings over;
+    over.radius_m = taken("radius_m", settings.radius_m);
+    over.samples = int(taken("samples", 0));
+    over.filter = taken("filter", 1) != 0;
+    over.knobs = std::move(all);
+    return over;
 }
 
 double TotalSeconds(const std::vector<Pass>& passes) {

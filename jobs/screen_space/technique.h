@@ -14,6 +14,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,11 +43,12 @@ struct Technique {
     std::function<std::vector<Pass>(const TechniqueInput&, const PassClock&)> run;
 };
 
-/// What a caller may change in every technique.
+/// What a caller may change in a technique.
 struct TechniqueSettings {
     double radius_m = 1.5;
-    int samples = 0;     ///< Lookups or rays a pixel; 0 = the technique's own.
-    bool filter = true;  ///< The bilateral passes.
+    int samples = 0;        ///< Lookups or rays a pixel; 0 = the technique's own.
+    bool filter = true;     ///< The bilateral passes.
+    KnobValues knobs = {};  ///< All others that are given.
 };
 
 /// Throws Error, naming field, value and rule.
@@ -67,10 +69,24 @@ Technique SaoTechnique(std::string name, const SaoOptions& options);
 /// A preset of SAO with that radius, and taps where settings name them.
 SaoOptions SaoWith(const std::string& preset, const TechniqueSettings& settings);
 
-/// The settings of that technique: what the scene's file says of it, else `otherwise`. Throws Error
-/// if the file names a technique that there is not.
+/// The settings of that technique: what the scene's file says of it, else `otherwise`. Throws Error,
+/// naming the file and the field, if the file names a technique or a knob that there is not, or a
+/// value that is none.
 TechniqueSettings SettingsOf(const LoadedScene& loaded, const std::string& name,
                              TechniqueSettings otherwise);
+
+/// What the command line gives of each technique: --set NAME.KNOB=VALUE, the last one counts.
+using ValuesByTechnique = std::map<std::string, KnobValues>;
+
+/// Throws Error, naming what was given and the rule.
+ValuesByTechnique ValuesOfSet(const std::vector<std::string>& set);
+
+/// Throws Error if `set` turns a technique that is not among those that run.
+void CheckSetIsOf(const ValuesByTechnique& set, const std::vector<std::string>& running);
+
+/// The values over the settings: they win.
+TechniqueSettings Over(TechniqueSettings settings, const std::string& technique,
+                       const KnobValues& values);
 
 double TotalSeconds(const std::vector<Pass>& passes);
 

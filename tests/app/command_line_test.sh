@@ -34,7 +34,7 @@ refused '--histogram' "$plumb" fit
 
 # Seeds that a reader of unsigned numbers would take for others.
 for command in 'simulate make:bricks:16' 'fit make:bricks:16' 'truth cornell_box' \
-  'render cornell_box --technique gtao' 'report cornell_box' 'bench ao' 'bench light'; do
+  'render cornell_box --technique gtao-paper' 'report cornell_box' 'bench ao' 'bench light'; do
   for seed in -1 18446744073709551616 1.5 0x10 '' 1e3; do
     # shellcheck disable=SC2086
     refused '--seed' "$plumb" $command --seed "$seed"

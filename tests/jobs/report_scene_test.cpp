@@ -101,13 +101,11 @@ TEST(ReportScene, RefusesWhatCannotBeScored) {
 TEST(ReportScene, PutsTheCommandLineBeforeTheFileBeforeTheDefault) {
     const Scene scene = FloorAndWall(64, 36);
     LoadedScene loaded{scene, {}, "digest"};
-    loaded.techniques.push_back({.name = "gtao",
-                                 .asked_by = "techniques[0]",
-                                 .radius_m = 0.5,
-                                 .samples = {},
-                                 .filter = {}});
+    loaded.techniques.push_back({.name = "gtao-paper",
+                                 .where = "techniques[0]",
+                                 .values = {{"radius_m", "0.5"}}});
     SceneReportJob job = Brief();
-    job.techniques = {"gtao"};
+    job.techniques = {"gtao-paper"};
     const auto report = [&](std::optional<double> radius_m) {
         job.radius_m = radius_m;
         return ReportScene(loaded, job, "test", "plumb report", Ticking());
@@ -119,7 +117,7 @@ TEST(ReportScene, PutsTheCommandLineBeforeTheFileBeforeTheDefault) {
         const std::vector<Falloff> hard{Falloff::kHard};
         const ViewTruth truth = MeasureViewTruth(
             caster, scene, camera, hard, {.radius_m = truth_m, .spp = job.spp, .far = false});
-        const Technique gtao = TechniqueNamed("gtao", {.radius_m = technique_m});
+        const Technique gtao = TechniqueNamed("gtao-paper", {.radius_m = technique_m});
         const Image<float> A =
             Shown(gtao.run({gbuffer, scene, camera, caster}, Ticking()).back().A, gbuffer.view);
         return PlainScore(A, truth.near.at(Falloff::kHard), SeenPixels(truth)).mse;
@@ -129,6 +127,11 @@ TEST(ReportScene, PutsTheCommandLineBeforeTheFileBeforeTheDefault) {
     };
     EXPECT_NEAR(mse(report({})), expected(1.5, 0.5), 1e-9);
     EXPECT_NEAR(mse(report(1.0)), expected(1.0, 1.0), 1e-9);
+    job.set = {{"gtao-paper", {{"radius_m", 0.75}}}};
+    EXPECT_NEAR(mse(report(1.0)), expected(1.0, 0.75), 1e-9);
+    job.set = {{"hbao", {{"radius_m", 0.75}}}};  // which does not run
+    EXPECT_THROW(report(1.0), Error);
+    job.set.clear();
     loaded.techniques.clear();
     EXPECT_NEAR(mse(report({})), expected(1.5, 1.5), 1e-9);
     // Else the two would say nothing.

@@ -72,10 +72,10 @@ TEST(Techniques, GiveNumbersAndTheSameBitsOnAnyNumberOfThreads) {
 
 TEST(Techniques, AreRefusedByName) {
     EXPECT_THROW(TechniqueNamed("ssao"), Error);
-    EXPECT_THROW(TechniqueNamed("gtao", {.radius_m = 0}), Error);
-    EXPECT_THROW(TechniqueNamed("gtao", {.radius_m = -1}), Error);
-    EXPECT_THROW(TechniqueNamed("gtao", {.radius_m = std::nan("")}), Error);
-    EXPECT_THROW(TechniqueNamed("gtao", {.radius_m = 1, .samples = 5000}), Error);
+    EXPECT_THROW(TechniqueNamed("gtao-paper", {.radius_m = 0}), Error);
+    EXPECT_THROW(TechniqueNamed("gtao-paper", {.radius_m = -1}), Error);
+    EXPECT_THROW(TechniqueNamed("gtao-paper", {.radius_m = std::nan("")}), Error);
+    EXPECT_THROW(TechniqueNamed("gtao-paper", {.radius_m = 1, .samples = 5000}), Error);
 }
 
 // Expected: paper's table 3: 128 px at 720 rows, 192 px at 1080.

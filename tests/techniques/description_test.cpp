@@ -48,6 +48,8 @@ TEST(Knob, SaysItsDomain) {
     EXPECT_EQ(RuleOf(Shape()), "one of round, square");
     EXPECT_EQ(RuleOf(Filter()), "one of off, on");
     EXPECT_EQ(RuleOf(Thickness()), "in (0, infinity]");
+    EXPECT_EQ(RuleOf({.name = "r", .low = 1e-4, .high = 1e7}), "in [1e-4, 1e7]");
+    EXPECT_EQ(RuleOf({.name = "r", .low = -1e-10, .high = 1e20}), "in [-1e-10, 1e20]");
 }
 
 TEST(Knob, RefusesWhatIsOutsideOfItNamingWhereValueAndRule) {
@@ -70,7 +72,8 @@ TEST(Knob, RefusesWhatIsOutsideOfItNamingWhereValueAndRule) {
 }
 
 TEST(Knob, TextReadsBackToTheSameBits) {
-    for (const double value : {0.0, 0.1, 1.0 / 3, 5e-324, 0.999999999999999889}) {
+    for (const double value :
+         {0.0, 0.1, 1.0 / 3, 1e-4, 1e-10, 5e-324, 1.5e-7, 0.999999999999999889}) {
         EXPECT_EQ(ValueOfText(Share(), TextOf(Share(), value), ""), value);
     }
     EXPECT_EQ(TextOf(Filter(), 0), "off");
@@ -83,11 +86,40 @@ TEST(Knob, TextReadsBackToTheSameBits) {
 TEST(KnobValues, OfTheUpperWin) {
     const Description description{.name = "x", .knobs = {Share(), Count()}};
     const KnobValues file{{"share", 0.25}, {"count", 4}}, line{{"count", 5}};
-    const KnobValues both = Merged(file, line);
+    const KnobValues both = Merged(description, file, line);
     EXPECT_EQ(ValueOf(description, both, "share"), 0.25);
     EXPECT_EQ(ValueOf(description, both, "count"), 5);
     EXPECT_EQ(ValueOf(description, {}, "share"), 0.385);
     EXPECT_THROW(KnobNamed(description, "shade", "here"), Error);
+}
+
+// A knob that sets others too wins over what a lower place says of those, not over a higher one.
+TEST(KnobValues, OfACoveringKnobWinOverWhatItCovers) {
+    Knob all = Count();
+    all.name = "all";
+    all.covers = {"count"};
+    const Description description{.name = "x", .knobs = {all, Count()}};
+    const KnobValues count{{"count", 4}}, covering{{"all", 9}};
+    EXPECT_EQ(Merged(description, count, covering), covering);
+    EXPECT_EQ(Merged(description, covering, count), (KnobValues{{"all", 9}, {"count", 4}}));
+}
+
+TEST(KnobValues, OfTextsNameWhereTheyStand) {
+    const Description description{.name = "x", .knobs = {Share(), Filter()}};
+    EXPECT_EQ(ValuesOfTexts(description, {{"share", "0.5"}, {"filter", "on"}}, "a.json"),
+              (KnobValues{{"share", 0.5}, {"filter", 1}}));
+    const auto complaint = [&](const std::string& knob, const std::string& text) {
+        try {
+            ValuesOfTexts(description, {{knob, text}}, "a.json: techniques[0]");
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(complaint("share", "2"), "a.json: techniques[0].share = 2, must be in [0, 1)");
+    EXPECT_EQ(complaint("shares", "0"),
+              "a.json: techniques[0]: x has no shares, must be one of share, filter; did you "
+              "mean share?");
 }
 
 }  // namespace

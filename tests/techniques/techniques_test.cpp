@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 
 #include "core/error.h"
@@ -38,6 +39,12 @@ TEST(Techniques, HaveNamesOfTheirOwn) {
     EXPECT_THROW(FindTechnique("ssao"), Error);
 }
 
+TEST_P(Listed, CitesAPaperOfTheReferences) {
+    std::ifstream page(PLUMB_SOURCE_DIR "/docs/references.bib");
+    const std::string text{std::istreambuf_iterator<char>(page), {}};
+    EXPECT_NE(text.find("{" + About().paper + ","), std::string::npos) << About().paper;
+}
+
 TEST_P(Listed, SaysWhatItIs) {
     EXPECT_FALSE(About().what.empty());
     EXPECT_FALSE(About().family.empty());
@@ -69,7 +76,8 @@ TEST_P(Listed, RefusesWhatIsNoKnobOrOutsideOfItsDomain) {
         EXPECT_THROW(Technique().with({{knob.name, chosen ? 99.0 : knob.low - 1}}), Error)
             << knob.name;
         if (!chosen && !std::isinf(knob.high)) {
-            EXPECT_THROW(Technique().with({{knob.name, 2 * knob.high + 1}}), Error) << knob.name;
+            EXPECT_THROW(Technique().with({{knob.name, 2 * knob.high + 1}}), Error)
+                << knob.name;
         }
         EXPECT_NO_THROW(Technique().with({{knob.name, knob.published}})) << knob.name;
     }

@@ -101,9 +101,8 @@ TEST(ReportScene, RefusesWhatCannotBeScored) {
 TEST(ReportScene, PutsTheCommandLineBeforeTheFileBeforeTheDefault) {
     const Scene scene = FloorAndWall(64, 36);
     LoadedScene loaded{scene, {}, "digest"};
-    loaded.techniques.push_back({.name = "gtao-paper",
-                                 .where = "techniques[0]",
-                                 .values = {{"radius_m", "0.5"}}});
+    loaded.techniques.push_back(
+        {.name = "gtao-paper", .where = "techniques[0]", .values = {{"radius_m", "0.5"}}});
     SceneReportJob job = Brief();
     job.techniques = {"gtao-paper"};
     const auto report = [&](std::optional<double> radius_m) {

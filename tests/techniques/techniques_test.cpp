@@ -127,5 +127,40 @@ TEST_P(Listed, EverySwitchChangesThePicture) {
     }
 }
 
+std::vector<std::string> Told(const PictureTechnique& technique, const KnobValues& values) {
+    const Corner corner;
+    std::vector<std::string> told;
+    technique.with(values).run(
+        {corner.gbuffer, corner.scene, corner.camera, corner.caster},
+        [&](std::string_view pass, const Image<float>&) { told.emplace_back(pass); });
+    return told;
+}
+
+TEST_P(Listed, FiltersAlongOneAxisWhereTheOtherIsOff) {
+    const auto has = [](const std::vector<std::string>& told, const char* pass) {
+        return std::count(told.begin(), told.end(), pass);
+    };
+    const std::vector<std::string> only_y = Told(Technique(), {{"filter_x", 0}});
+    EXPECT_EQ(has(only_y, "blur x"), 0);
+    EXPECT_EQ(has(only_y, "blur y"), 1);
+    const std::vector<std::string> none = Told(Technique(), {{"filter", 0}});
+    EXPECT_EQ(has(none, "blur x") + has(none, "blur y"), 0);
+    EXPECT_EQ(has(none, "sample"), 1);
+}
+
+// Expected by hand: 24 taps of SAO; of slices 2 x 4 x 3, since sqrt(12) is nearest to 3.
+TEST_P(Listed, TakesAsManySamplesAsAsked) {
+    EXPECT_EQ(Technique().with({{"samples", 24}}).samples, 24);
+}
+
+// 20 taps make the 9 turns of the table if none are given; 7 are as published.
+TEST(SaoTechnique, TurnsFollowTheSamples) {
+    const Corner corner;
+    const PictureTechnique& sao = FindTechnique("sao-supplement2012");
+    const auto A = [&](const KnobValues& values) { return corner.Of(sao, values).Pixels(); };
+    EXPECT_EQ(A({{"samples", 20}}), A({{"samples", 20}, {"turns", 9}}));
+    EXPECT_NE(A({{"samples", 20}}), A({{"samples", 20}, {"turns", 7}}));
+}
+
 }  // namespace
 }  // namespace plumb

@@ -1,6 +1,8 @@
 #include "screen_space/antialiasing/deferred_shader.h"
 
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "core/texture.h"
@@ -17,9 +19,15 @@ class Shader {
           frame_(camera),
           g_(g),
           options_(std::move(options)),
-          model_(scene.light) {}
+          model_(scene.light) {
+        if (options_.filter == TextureFilter::kNone) return;
+        auto levels = std::make_shared<std::vector<MipChain>>();
+        for (const Texture& texture : scene.textures) levels->emplace_back(texture);
+        levels_ = levels;
+    }
 
-    Rgb Shade(int X, int Y) const {
+    Rgb Shade(const SampleToShade& sample) const {
+        const int X = sample.X, Y = sample.Y;
         const GBuffer& g = g_.samples;
         const std::uint16_t material = g_.material(X, Y);
         if (material == WideGBuffer::kNoMaterial) {
@@ -30,7 +38,7 @@ class Shader {
         const Vec3 x =
             camera_.position_m + World(g.view.Point(X + 0.5, Y + 0.5, double(g.z_m(X, Y))));
         const Vec3 n = World(g.shading_normal(X, Y).cast<double>());
-        const Rgb rho = Albedo(scene_.materials[material], g.uv(X, Y));
+        const Rgb rho = Albedo(scene_.materials[material], sample);
         if (!options_.is_lit) {
             return model_.Shade(x, n, rho, [](const LightAt&) { return true; });
         }
@@ -41,10 +49,10 @@ class Shader {
 
     void operator()(std::span<const SampleToShade> samples, std::span<Rgb> colours) const {
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            colours[i] = Shade(samples[i].X, samples[i].Y);
+            colours[i] = Shade(samples[i]);
             // What comes of it is compared, so that no compiler leaves it out; it is equal.
             for (int again = 1; again < options_.times; ++again) {
-                const Rgb colour = Shade(samples[i].X, samples[i].Y);
+                const Rgb colour = Shade(samples[i]);
                 if (colour != colours[i]) colours[i] = colour;
             }
         }
@@ -55,12 +63,21 @@ class Shader {
         return v.x() * frame_.right + v.y() * frame_.up + v.z() * frame_.backward;
     }
 
-    Rgb Albedo(const Material& material, const Vec2f& uv) const {
+    Rgb Albedo(const Material& material, const SampleToShade& sample) const {
         Rgb rho = material.albedo;
         if (material.texture == Material::kNoTexture) return rho;
-        const Rgb of_texture = SampleAlbedo(scene_.textures[std::size_t(material.texture)], uv);
+        const Rgb of_texture = TextureAt(std::size_t(material.texture), sample);
         for (std::size_t c = 0; c < 3; ++c) rho[c] *= of_texture[c];
         return rho;
+    }
+
+    Rgb TextureAt(std::size_t number, const SampleToShade& sample) const {
+        const Vec2f& uv = g_.samples.uv(sample.X, sample.Y);
+        if (!levels_) return SampleAlbedo(scene_.textures[number], uv);
+        const Footprint one = FootprintOf(g_, sample.X, sample.Y, options_.footprint);
+        return SampleFootprint((*levels_)[number], uv,
+                               one.Scaled(SampleSpacing(g_.m, sample.of_pixel)),
+                               options_.most_taps);
     }
 
     const Scene& scene_;
@@ -69,6 +86,8 @@ class Shader {
     const WideGBuffer& g_;
     DeferredOptions options_;
     ShadingModel model_;
+    std::shared_ptr<const std::vector<MipChain>>
+        levels_;  ///< Of each texture; null: no filter.
 };
 
 }  // namespace
@@ -77,6 +96,9 @@ SampleShader DeferredShader(const Scene& scene, const Camera& camera, const Wide
                             const DeferredOptions& options) {
     if (options.times < 1) {
         throw Error(MustBe("DeferredOptions::times", options.times, "at least 1"));
+    }
+    if (options.most_taps < 1 || options.most_taps > 64) {
+        throw Error(MustBe("DeferredOptions::most_taps", options.most_taps, "in [1, 64]"));
     }
     return Shader(scene, camera, g, options);
 }

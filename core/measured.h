@@ -19,4 +19,11 @@ struct Measured {
                       std::numeric_limits<double>::infinity()};
 };
 
+/// In another unit. `factor` > 0.
+inline Measured operator*(double factor, const Measured& m) {
+    return {.value = factor * m.value,
+            .standard_error = factor * m.standard_error,
+            .interval = {.low = factor * m.interval.low, .high = factor * m.interval.high}};
+}
+
 }  // namespace plumb

@@ -14,6 +14,12 @@ Measured MedianOf(std::span<const double> values) {
             .interval = {.low = *least, .high = *greatest}};
 }
 
+Measured PerSecond(double units, const Measured& seconds) {
+    return {.value = units / seconds.value,
+            .interval = {.low = units / seconds.interval.high,
+                         .high = units / seconds.interval.low}};
+}
+
 template <class F>
 Measured TurnTimes::OverRounds(const F& of_round) const {
     std::vector<double> values;
@@ -37,10 +43,7 @@ Measured TurnTimes::SecondsOfPart(std::size_t thing, std::size_t part) const {
 }
 
 Measured TurnTimes::Rate(std::size_t thing, double units) const {
-    const Measured seconds = Seconds(thing);
-    return {.value = units / seconds.value,
-            .interval = {.low = units / seconds.interval.high,
-                         .high = units / seconds.interval.low}};
+    return PerSecond(units, Seconds(thing));
 }
 
 Measured TurnTimes::Ratio(std::size_t thing, std::size_t other) const {

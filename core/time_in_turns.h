@@ -31,6 +31,9 @@ inline constexpr int kTimedRounds = 5;
 /// The median, and the interval from the least to the greatest. Needs a value.
 Measured MedianOf(std::span<const double> values);
 
+/// `units` a second, done in `seconds`.
+Measured PerSecond(double units, const Measured& seconds);
+
 /// What is timed, with what has to be made ready before each time and does not count.
 struct Turn {
     std::function<void()> run;
@@ -47,7 +50,7 @@ class TurnTimes {
     Measured Seconds(std::size_t thing) const;
     Measured SecondsOfPart(std::size_t thing, std::size_t part) const;
 
-    /// `units` a second.
+    /// `units` a second, all parts together.
     Measured Rate(std::size_t thing, double units) const;
 
     /// Time of one over the time of another, round by round.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "reports/text.h"
@@ -38,26 +39,31 @@ std::string MarkName(Mark mark) {
     return {};
 }
 
-Json SeriesJson(const PlotSeries& series) {
-    Json json{{"label", series.label},
-              {"mark", MarkName(series.mark)},
-              {"color", series.color},
-              {"x", series.x.index},
-              {"y", series.y.index}};
-    if (series.minus.index >= 0) json["minus"] = series.minus.index;
-    if (series.high.index >= 0) json["high"] = series.high.index;
+// The places of columns on a sheet, by where their numbers are.
+using Places = std::map<const std::vector<double>*, std::size_t>;
+
+Json SeriesJson(const PlotSeries& series, const Places& places) {
+    Json json{
+        {"label", series.label}, {"mark", MarkName(series.mark)}, {"color", series.color}};
+    const auto point_to = [&](const char* name, const Column& column) {
+        if (column.Given()) json[name] = places.at(&column.Values());
+    };
+    point_to("x", series.x);
+    point_to("y", series.y);
+    point_to("minus", series.minus);
+    point_to("high", series.high);
     if (series.joined) json["joined"] = true;
     if (series.shape != 0) json["shape"] = series.shape;
     return json;
 }
 
-Json PlotJson(const Plot& plot, std::size_t group) {
+Json PlotJson(const Plot& plot, std::size_t group, const Places& places) {
     Json views = Json::array();
     for (const PlotView& view : plot.views) {
         Json keys = Json::object();
         for (const auto& [key, value] : view.keys) keys[key] = value;
         Json series = Json::array();
-        for (const PlotSeries& one : view.series) series.push_back(SeriesJson(one));
+        for (const PlotSeries& one : view.series) series.push_back(SeriesJson(one, places));
         Json json{{"keys", keys}, {"series", series}};
         if (view.x) json["x"] = AxisJson(*view.x);
         if (view.y) json["y"] = AxisJson(*view.y);
@@ -73,10 +79,16 @@ Json PlotJson(const Plot& plot, std::size_t group) {
 }  // namespace
 
 Column PlotSheet::Add(std::span<const double> values) {
-    std::vector<double> column;
-    for (const double x : values) column.push_back(Rounded(x, kPlotDigits));
-    columns_.push_back(std::move(column));
-    return {int(columns_.size()) - 1};
+    columns_.push_back(std::vector<double>(values.begin(), values.end()));
+    return columns_.back();
+}
+
+void PlotSheet::Place(const Column& column) {
+    if (!column.Given()) return;
+    for (const Column& placed : columns_) {
+        if (&placed.Values() == &column.Values()) return;
+    }
+    columns_.push_back(column);
 }
 
 std::string PlotSheet::Group(const std::vector<PlotSelector>& selectors,
@@ -100,15 +112,31 @@ std::string PlotSheet::Group(const std::vector<PlotSelector>& selectors,
                 "\" role=\"img\" aria-label=\"" + Html(plot.title) +
                 "\"></canvas></div><figcaption>" + plot.caption + "</figcaption></figure>\n";
     }
+    for (const Plot& plot : plots) {
+        for (const PlotView& view : plot.views) {
+            for (const PlotSeries& series : view.series) {
+                for (const Column& column : {series.x, series.y, series.minus, series.high}) {
+                    Place(column);
+                }
+            }
+        }
+    }
     groups_.push_back(std::move(plots));
     return html + "</div>\n";
 }
 
 Json PlotSheet::ToJson() const {
-    Json plots = Json::array();
+    Json plots = Json::array(), columns = Json::array();
+    Places places;
+    for (const Column& column : columns_) {
+        places[&column.Values()] = places.size();
+        Json numbers = Json::array();
+        for (const double x : column.Values()) numbers.push_back(Rounded(x, kPlotDigits));
+        columns.push_back(std::move(numbers));
+    }
     for (std::size_t group = 0; group < groups_.size(); ++group)
-        for (const Plot& plot : groups_[group]) plots.push_back(PlotJson(plot, group));
-    return {{"columns", columns_}, {"plots", plots}};
+        for (const Plot& plot : groups_[group]) plots.push_back(PlotJson(plot, group, places));
+    return {{"columns", columns}, {"plots", plots}};
 }
 
 std::string CategoryColor(int i) {

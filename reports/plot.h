@@ -2,11 +2,13 @@
 // it.
 //
 // A plot has views (map A or map B; over alpha or over V), of which the reader picks one by the
-// selectors of its group; all plots of a group follow the same selectors.
+// selectors of its group; all plots of a group follow the same selectors. On a page, numbers that
+// several series share stand once.
 //
 // Beware   Numbers are rounded to six digits: the JSON report has all of them.
 #pragma once
 
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
@@ -24,9 +26,18 @@ struct Axis {
 
 enum class Mark { kDots, kLine, kDashed, kBand };
 
-/// A row of numbers in the sheet.
-struct Column {
-    int index = -1;
+/// A row of numbers; copies share them.
+class Column {
+  public:
+    Column() = default;
+    Column(std::vector<double> values)
+        : values_(std::make_shared<const std::vector<double>>(std::move(values))) {}
+
+    bool Given() const { return values_ != nullptr; }
+    const std::vector<double>& Values() const { return *values_; }
+
+  private:
+    std::shared_ptr<const std::vector<double>> values_;
 };
 
 struct PlotSeries {
@@ -63,6 +74,7 @@ struct PlotSelector {
 
 class PlotSheet {
   public:
+    /// Makes a row of numbers, and gives it the next place.
     Column Add(std::span<const double> values);
 
     /// The HTML of a group: its selectors, and of each plot its title, place and caption.
@@ -71,7 +83,9 @@ class PlotSheet {
     nlohmann::ordered_json ToJson() const;
 
   private:
-    std::vector<std::vector<double>> columns_;
+    void Place(const Column& column);
+
+    std::vector<Column> columns_;
     std::vector<std::vector<Plot>> groups_;
 };
 

@@ -21,12 +21,6 @@ int Exponent(double x, int significant) {
     return std::stoi(text.substr(text.find('e') + 1));
 }
 
-int Characters(std::string_view text) {
-    int n = 0;
-    for (const char c : text) n += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-    return n;
-}
-
 std::string Padding(std::string_view text, int columns) {
     const int missing = columns - Characters(text);
     return std::string(missing > 0 ? std::size_t(missing) : 0, ' ');
@@ -108,6 +102,12 @@ std::string Csv(std::string_view text) {
     std::string quoted(1, '"');
     for (const char c : field) quoted.append(c == '"' ? 2 : 1, c);
     return quoted.append(1, '"');
+}
+
+int Characters(std::string_view text) {
+    int n = 0;
+    for (const char c : text) n += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    return n;
 }
 
 std::string Left(std::string_view text, int columns) {

@@ -34,6 +34,9 @@ std::string Html(std::string_view text);
 /// run as a formula (it starts with =, +, - or @) gets a ' in front.
 std::string Csv(std::string_view text);
 
+/// Of UTF-8.
+int Characters(std::string_view text);
+
 /// Padded with spaces to so many columns of a terminal (UTF-8 is counted by characters).
 std::string Left(std::string_view text, int columns);
 std::string Right(std::string_view text, int columns);

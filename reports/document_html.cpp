@@ -1,0 +1,120 @@
+// Documents as pages.
+#include "reports/page.h"
+#include "reports/render.h"
+#include "reports/sentence.h"
+#include "reports/text.h"
+
+namespace plumb::doc {
+namespace {
+
+std::string WithUnit(const std::string& text, const std::string& unit) {
+    return unit.empty() ? text : text + " " + unit;
+}
+
+const char* Arrow(Better better) {
+    return better == Better::kLess ? " ↓" : better == Better::kMore ? " ↑" : "";
+}
+
+std::string FactsHtml(const std::vector<Fact>& facts) {
+    if (facts.empty()) return {};
+    std::string html = "<div class=\"tiles\">\n";
+    for (const Fact& fact : facts) {
+        const std::string value = WithUnit(CellText(fact.what, fact.value), fact.what.unit);
+        html += "<div class=\"tile\"><b>" + Html(value) + "</b><span title=\"" +
+                Html(fact.what.meaning) + "\">" + Html(fact.what.title) + "</span></div>\n";
+    }
+    return html + "</div>\n";
+}
+
+std::string TableHtml(const Table& table) {
+    std::string html;
+    if (!table.title.empty()) html += "<h3>" + Html(table.title) + "</h3>\n";
+    html += "<div class=\"table\"><table id=\"" + Html(table.key) + "\">\n<thead><tr>";
+    const auto is_text = [&](std::size_t c) {
+        return table.columns[c].role == Role::kName ||
+               (!table.rows.empty() &&
+                std::holds_alternative<std::string>(table.rows.front()[c]));
+    };
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        const Column& column = table.columns[c];
+        html += std::string("<th scope=\"col\"") + (is_text(c) ? " class=\"text\"" : "");
+        if (!column.meaning.empty()) html += " title=\"" + Html(column.meaning) + "\"";
+        html += ">" + Html(column.title) +
+                (column.unit.empty() ? "" : " [" + Html(column.unit) + "]") +
+                Arrow(column.better) + "</th>";
+    }
+    html += "</tr></thead>\n<tbody>\n";
+    for (const auto& row : table.rows) {
+        html += "<tr>";
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            html += is_text(c) ? "<td class=\"text\"" : "<td";
+            const std::string exact = Exact(NumberOf(row[c]));
+            if (!exact.empty()) html += " data-value=\"" + exact + "\"";
+            html += ">" + Html(CellText(table.columns[c], row[c])) + "</td>";
+        }
+        html += "</tr>\n";
+    }
+    html += "</tbody></table></div>\n";
+    if (!table.caption.empty()) {
+        html += "<p class=\"note\">" + SentenceHtml(table.caption) + "</p>\n";
+    }
+    return html;
+}
+
+std::string PictureHtml(const Picture& picture, const std::string& section) {
+    return "<figure class=\"picture\">" +
+           plumb::Picture(picture.data_uri, picture.alternative, section + ": a picture") +
+           "<figcaption>" + SentenceHtml(picture.caption) + "</figcaption></figure>\n";
+}
+
+std::string SectionHtml(const Section& section, PlotSheet& sheet) {
+    std::string html;
+    for (const std::string& sentence : section.sentences) {
+        html += "<p>" + SentenceHtml(sentence) + "</p>\n";
+    }
+    html += FactsHtml(section.facts);
+    for (const Table& table : section.tables) html += TableHtml(table);
+    for (const Plots& group : section.plots) {
+        std::vector<Plot> plots = group.plots;
+        for (Plot& plot : plots) plot.caption = SentenceHtml(plot.caption);
+        html += sheet.Group(group.selectors, std::move(plots));
+    }
+    for (const Picture& picture : section.pictures) html += PictureHtml(picture, section.id);
+    for (const Section& within : section.sections) {
+        const std::string inside = SectionHtml(within, sheet), title = Html(within.title);
+        html += within.folded
+                    ? "<details id=\"" + Html(within.id) + "\"><summary>" + title +
+                          "</summary>\n" + inside + "</details>\n"
+                    : "<h3 id=\"" + Html(within.id) + "\">" + title + "</h3>\n" + inside;
+    }
+    return html;
+}
+
+std::string ProvenanceHtml(const Provenance& provenance) {
+    std::string html = "<pre class=\"command\">" + Html(provenance.command) +
+                       "</pre>\n<p>plumb " + Html(provenance.version) + ", seed " +
+                       std::to_string(provenance.seed) + ".</p>\n";
+    for (const Input& input : provenance.inputs) {
+        html += "<p>" + Html(input.name) + ": SHA-256 <code>" + Html(input.sha256) +
+                "</code></p>\n";
+    }
+    return html;
+}
+
+}  // namespace
+
+std::string ToHtml(const Document& document) {
+    Page page(document.title, document.subtitle);
+    for (const Section& section : document.sections) {
+        std::string html = SectionHtml(section, page.Plots());
+        if (section.folded) {
+            html = "<details><summary>Show</summary>\n" + html + "</details>\n";
+        }
+        page.AddSection(section.id, section.title, std::move(html));
+    }
+    page.AddSection("provenance", "How to make this again",
+                    ProvenanceHtml(document.provenance));
+    return page.Text();
+}
+
+}  // namespace plumb::doc

@@ -1,0 +1,251 @@
+// Documents: their values, and that all renderers show the same ones.
+#include "reports/document.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "reports/render.h"
+#include "reports/sentence.h"
+#include "tests/reports/json_schema.h"
+
+namespace plumb::doc {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Measured Of(double value, double standard_error) {
+    return {.value = value,
+            .standard_error = standard_error,
+            .interval = {value - 2 * standard_error, value + 2 * standard_error}};
+}
+
+Document Made() {
+    Table table{.key = "scores",
+                .title = "Scores",
+                .caption = "Lower is *better*.",
+                .columns = {{.key = "name", .title = "Name", .role = Role::kName},
+                            {.key = "pixels", .title = "Pixels"},
+                            {.key = "rmse",
+                             .title = "RMSE",
+                             .better = Better::kLess,
+                             .meaning = "root of the mean of <squares>"},
+                            {.key = "bias", .title = "Bias", .digits = 2},
+                            {.key = "time_ms",
+                             .title = "Time",
+                             .unit = "ms",
+                             .role = Role::kTime,
+                             .better = Better::kLess}}};
+    table.Add({"a<b> \"q\", c", 12345, Of(0.12345678, 0.0023), -1.0 / 3, 4.0625});
+    table.Add({"=SUM(1)", 7, Measured{.value = 2.5, .interval = {1, 16}}, kNan, kInfinity});
+    table.Add({"none", std::monostate{}, kNan, 1e-9, Measured{}});
+    Section section{.id = "one", .title = "One & only"};
+    section.sentences = {"Use `a < b` of E_{k}."};
+    section.facts = {
+        {{.key = "spp", .title = "Samples"}, 64},
+        {{.key = "run_s", .title = "Run", .unit = "s", .role = Role::kTime}, 1.25}};
+    section.tables = {table};
+    Plot plot{.id = "p",
+              .title = "P",
+              .caption = "Seconds _{low}",
+              .x = {"x [m]", {}, {}},
+              .y = {"y", {}, {}},
+              .views = {}};
+    PlotView view;
+    view.series = {{.label = "s",
+                    .color = "#000000",
+                    .x = std::vector<double>{1, 2},
+                    .y = std::vector<double>{0.1234567890123, kNan},
+                    .minus = {},
+                    .high = {}}};
+    plot.views = {view};
+    section.plots = {{.plots = {plot}, .of_times = true}};
+    section.pictures = {{"data:image/png;base64,AAAA", "a \"picture\"", "It."}};
+    section.sections = {{.id = "within", .title = "Within", .folded = true}};
+    return {.kind = "made",
+            .title = "T",
+            .subtitle = "S",
+            .provenance = {.version = "1.2.3",
+                           .command = "plumb made <x>",
+                           .seed = 9,
+                           .inputs = {{"in.png", std::string(64, 'a')}}},
+            .sections = {section}};
+}
+
+TEST(Document, JsonIsByItsPublishedSchema) {
+    const nlohmann::json schema = PublishedSchema("document-1.json");
+    const nlohmann::json json = nlohmann::json::parse(ToJsonText(Made()));
+    EXPECT_THAT(SchemaErrors(schema, json), IsEmpty());
+    EXPECT_THAT(SchemaErrors(schema, nlohmann::json::parse(ToJsonText(WithoutTimes(Made())))),
+                IsEmpty());
+}
+
+// Expected: the schema says something, so breaking each part of a document breaks its rule.
+TEST(Document, SchemaRefusesWhatIsNotADocument) {
+    const nlohmann::json schema = PublishedSchema("document-1.json");
+    const nlohmann::json good = nlohmann::json::parse(ToJsonText(Made()));
+    const auto refused = [&](const char* pointer, const nlohmann::json& value) {
+        nlohmann::json bad = good;
+        bad[nlohmann::json::json_pointer(pointer)] = value;
+        EXPECT_THAT(SchemaErrors(schema, bad), Not(IsEmpty())) << pointer;
+    };
+    refused("/version", 2);
+    refused("/kind", "Made by");
+    refused("/more", 1);
+    refused("/provenance/seed", -1);
+    refused("/provenance/inputs/0/sha256", "abc");
+    refused("/sections/0/tables/0/rows/0/rmse", {{"value", 1}});
+    refused("/sections/0/tables/0/rows/0/rmse", {1});
+    refused("/sections/0/tables/0/columns/0/role", "title");
+    refused("/sections/0/facts/0/digits", 0);
+    refused("/sections/0/sections/0/folded", "yes");
+    refused("/sections/0/plots/0/views/0/series/0/x", {"1"});
+    for (const auto& [name, value] : good.items()) {
+        nlohmann::json bad = good;
+        bad.erase(name);
+        EXPECT_THAT(SchemaErrors(schema, bad), ElementsAre(": must have \"" + name + "\""));
+    }
+}
+
+// Expected, by hand.
+TEST(CellText, RoundsByTheErrorElseByTheColumn) {
+    const Column column{.key = "x", .title = "X"};
+    EXPECT_EQ(CellText(column, std::monostate{}), "–");
+    EXPECT_EQ(CellText(column, "word"), "word");
+    EXPECT_EQ(CellText(column, 12345), "12,345");
+    EXPECT_EQ(CellText(column, 0.123456), "0.123");
+    EXPECT_EQ(CellText(column, kNan), "–");
+    EXPECT_EQ(CellText(column, Of(27.5812, 0.1234)), "27.58 ± 0.12");
+    EXPECT_EQ(CellText(column, Measured{.value = 4, .interval = {1, 16}}),
+              "4.00 (1.00 to 16.0)");
+    EXPECT_EQ(CellText(column, Measured{.value = 4}), "4.00");
+    EXPECT_EQ(CellText(column, Measured{}), "–");
+}
+
+// The cells of the page's table, row by row: what stands between <td ...> and </td>.
+std::vector<std::string> CellsOfPage(const std::string& html) {
+    std::vector<std::string> cells;
+    for (std::size_t at = html.find("<td"); at != std::string::npos;
+         at = html.find("<td", at)) {
+        at = html.find('>', at) + 1;
+        cells.push_back(html.substr(at, html.find("</td>", at) - at));
+    }
+    return cells;
+}
+
+Cell CellOf(const nlohmann::json& json) {
+    if (json.is_null()) return std::monostate{};
+    if (json.is_string()) return json.get<std::string>();
+    if (json.is_number_integer()) return json.get<std::int64_t>();
+    if (json.is_number()) return json.get<double>();
+    const auto number = [&](const char* name, double otherwise) {
+        return json[name].is_null() ? otherwise : json[name].get<double>();
+    };
+    return Measured{.value = number("value", kNan),
+                    .standard_error = number("standard_error", kNan),
+                    .interval = {number("low", -kInfinity), number("high", kInfinity)}};
+}
+
+// Expected: the JSON's numbers, rounded to the JSON's digits, are the page's and the terminal's.
+TEST(Document, PageAndTerminalShowTheNumbersOfTheJson) {
+    const Document document = Made();
+    const nlohmann::json json = nlohmann::json::parse(ToJsonText(document));
+    const nlohmann::json& table = json["sections"][0]["tables"][0];
+    const std::vector<std::string> cells = CellsOfPage(ToHtml(document));
+    const std::string terminal = ToTerminal(document);
+    ASSERT_EQ(cells.size(), 15u);
+    std::size_t k = 0;
+    for (const nlohmann::json& row : table["rows"]) {
+        for (const nlohmann::json& column : table["columns"]) {
+            const Column rounded{.key = {}, .title = {}, .digits = column["digits"]};
+            const std::string text =
+                CellText(rounded, CellOf(row[column["key"].get<std::string>()]));
+            EXPECT_THAT(terminal, HasSubstr(text));
+            if (column["key"] != "name") {
+                EXPECT_EQ(cells[k], text);
+            }
+            ++k;
+        }
+    }
+}
+
+TEST(Document, PageEscapesAllThatComesFromOutside) {
+    const std::string html = ToHtml(Made());
+    EXPECT_THAT(html, HasSubstr("a&lt;b&gt; &quot;q&quot;, c"));
+    EXPECT_THAT(html, HasSubstr("One &amp; only"));
+    EXPECT_THAT(html, HasSubstr("<code>a &lt; b</code> of E<sub>k</sub>."));
+    EXPECT_THAT(html, HasSubstr("title=\"root of the mean of &lt;squares&gt;\""));
+    EXPECT_THAT(html, HasSubstr("plumb made &lt;x&gt;"));
+    EXPECT_THAT(html, HasSubstr("data-value=\"4.0625\""));
+    EXPECT_THAT(html, HasSubstr("<div class=\"tile\"><b>1.25 s</b>"));
+    EXPECT_THAT(html, HasSubstr("<details id=\"within\">"));
+    EXPECT_THAT(html, Not(HasSubstr("a<b>")));
+}
+
+// Expected, by hand.
+TEST(Table, AsCsvHasEveryDigitAndAnEmptyFieldForWhatIsNotFinite) {
+    EXPECT_EQ(ToCsv(TableOf(Made(), "scores")),
+              "name,pixels,rmse,rmse_se,rmse_low,rmse_high,bias,time_ms,time_ms_se,time_ms_low,"
+              "time_ms_high\n"
+              "\"a<b> \"\"q\"\", c\",12345,0.12345678,0.0023,0.11885678,0.12805678,"
+              "-0.3333333333333333,4.0625,,,\n"
+              "'=SUM(1),7,2.5,,1,16,,,,,\n"
+              "none,,,,,,1e-09,,,,\n");
+}
+
+TEST(Document, AsCsvHasOneLineANumber) {
+    const std::string csv = ToCsv(Made());
+    EXPECT_THAT(csv, HasSubstr("\none,,run_s,s,1.25,,,\n"));
+    EXPECT_THAT(csv, HasSubstr("\nscores,\"a<b> \"\"q\"\", c\",time_ms,ms,4.0625,,,\n"));
+    EXPECT_THAT(csv, HasSubstr("\nscores,'=SUM(1),rmse,,2.5,,1,16\n"));
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 + 3 * 4);
+}
+
+TEST(Document, WithoutTimesHasNothingLeftThatDiffersFromRunToRun) {
+    Document first = Made(), second = Made();
+    Section& section = second.sections[0];
+    section.facts[1].value = 77.0;
+    section.tables[0].rows[0][4] = 88.0;
+    section.plots[0].plots[0].title = "another";
+    EXPECT_NE(ToJsonText(first), ToJsonText(second));
+    first = WithoutTimes(first);
+    second = WithoutTimes(second);
+    EXPECT_EQ(ToJsonText(first), ToJsonText(second));
+    EXPECT_EQ(ToHtml(first), ToHtml(second));
+    EXPECT_EQ(ToCsv(first), ToCsv(second));
+    EXPECT_EQ(ToTerminal(first), ToTerminal(second));
+    EXPECT_EQ(TableOf(first, "scores").columns.size(), 4u);
+    EXPECT_EQ(NumberOf(FactOf(first, "spp")), 64);
+}
+
+TEST(Document, FindsItsPartsOrSaysWhichThereAre) {
+    const Document document = Made();
+    EXPECT_EQ(NumberOf(TableOf(document, "scores").At(1, "rmse")), 2.5);
+    EXPECT_THROW(TableOf(document, "score"), Error);
+    EXPECT_THROW(TableOf(document, "scores").At(0, "x"), Error);
+    EXPECT_THROW(TableOf(document, "scores").At(3, "rmse"), Error);
+    Table table{.key = "t", .columns = {{.key = "a", .title = "A"}}};
+    EXPECT_THROW(table.Add({1, 2}), std::logic_error);
+}
+
+TEST(Sentence, MarksWhatItSaysAndNothingElse) {
+    EXPECT_EQ(SentenceHtml("a `b<c` *d* E_{k+1}^{2}"),
+              "a <code>b&lt;c</code> <em>d</em> E<sub>k+1</sub><sup>2</sup>");
+    EXPECT_EQ(PlainText("a `b<c` *d* E_{k+1}^{2}"), "a b<c d E_k+1^2");
+    EXPECT_EQ(SentenceHtml("2 * 3 `open a_b <i>"), "2 * 3 `open a_b &lt;i&gt;");
+    const std::string name = "*x* `y` z_{1} \\ ^{2}";
+    EXPECT_EQ(SentenceHtml(Verbatim(name)), name);
+    EXPECT_EQ(PlainText(Verbatim(name)), name);
+}
+
+}  // namespace
+}  // namespace plumb::doc

@@ -4,7 +4,6 @@
 #include <memory>
 #include <string>
 
-#include "app/bench_output.h"
 #include "app/command.h"
 #include "core/parallel.h"
 #include "jobs/screen_space/bench_ao.h"
@@ -29,19 +28,19 @@ void Run(const Options& o) {
     if (o.width_px > 0 && o.height_px > 0) {
         settings.sizes = {{o.width_px, o.height_px, GuardPx(-1, o.height_px)}};
     }
-    const AoBench bench =
-        BenchAo(loaded.scene, CameraNamed(loaded.scene, o.camera), settings, NowS, *monitor);
-    Publish(bench, o.common);
+    Publish(BenchAo(loaded.scene, CameraNamed(loaded.scene, o.camera), settings,
+                    ContextOf(o.common, *monitor)),
+            o.common);
 }
 
-}  // namespace
-
-void AddBenchAo(CLI::App& bench) {
+void Add(CLI::App& bench) {
     auto o = std::make_shared<Options>();
+    o->common.out = "out/bench-ao";
     CLI::App* ao = bench.add_subcommand(
         "ao",
         "SAO and AlchemyAO at the paper's sizes of picture: all passes, sampling time against\n"
-        "radius, beside copying the same bytes. Writes bench_ao.json to the folder --out.");
+        "radius, beside copying the same bytes. The page, JSON and CSV go to the folder "
+        "--out.");
     ao->add_option("scene", o->scene, "A scene.json, or a generated scene (docs/scenes.md)")
         ->capture_default_str();
     ao->add_option("--camera", o->camera, "Name of the camera; the first if not given");
@@ -50,11 +49,12 @@ void AddBenchAo(CLI::App& bench) {
         ->check(CLI::Range(1, 16384));
     ao->add_option("--height", o->height_px, "One size only, with --width [px]")
         ->check(CLI::Range(1, 16384));
-    ao->add_option("--rounds", o->settings.rounds, "Rounds of each comparison; medians count")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+    AddRounds(*ao, o->settings.rounds);
     AddCommon(*ao, o->common);
     ao->callback([o] { Run(*o); });
 }
 
+const Listed kListed("bench", 40, Add);
+
+}  // namespace
 }  // namespace plumb::app

@@ -4,7 +4,6 @@
 #include <memory>
 #include <string>
 
-#include "app/bench_output.h"
 #include "app/command.h"
 #include "jobs/screen_space/bench_raster.h"
 #include "jobs/truth/load_scene.h"
@@ -20,19 +19,17 @@ struct Options {
 
 void Run(const Options& o) {
     const auto monitor = MakeMonitor(o.common);
-    const RasterBench bench = BenchRaster(LoadScene(o.scene).scene, o.settings, NowS, *monitor);
-    Publish(bench, o.common);
+    Publish(BenchRaster(LoadScene(o.scene).scene, o.settings, ContextOf(o.common, *monitor)),
+            o.common);
 }
 
-}  // namespace
-
-void AddBenchRaster(CLI::App& bench) {
+void Add(CLI::App& bench) {
     auto o = std::make_shared<Options>();
+    o->common.out = "out/bench-raster";
     CLI::App* raster = bench.add_subcommand(
         "raster",
-        "The reference rasterizer: every view of a scene, triangles of seven sizes, each "
-        "beside\n"
-        "copying the same bytes. Writes bench_raster.json to the folder --out.");
+        "The reference rasterizer: every view of a scene, triangles of seven sizes, each\n"
+        "beside copying the same bytes. The page, JSON and CSV go to the folder --out.");
     raster->add_option("scene", o->scene, "scene.json, or make:KIND")->capture_default_str();
     raster->add_option("--width", o->settings.width_px, "Width of the views [pixels]")
         ->check(CLI::Range(1, 16384))
@@ -40,12 +37,12 @@ void AddBenchRaster(CLI::App& bench) {
     raster->add_option("--height", o->settings.height_px, "Height of the views [pixels]")
         ->check(CLI::Range(1, 16384))
         ->capture_default_str();
-    raster
-        ->add_option("--rounds", o->settings.rounds, "Rounds of each comparison; medians count")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+    AddRounds(*raster, o->settings.rounds);
     AddCommon(*raster, o->common);
     raster->callback([o] { Run(*o); });
 }
 
+const Listed kListed("bench", 20, Add);
+
+}  // namespace
 }  // namespace plumb::app

@@ -4,7 +4,6 @@
 #include <memory>
 #include <string>
 
-#include "app/bench_output.h"
 #include "app/command.h"
 #include "jobs/truth/bench_truth.h"
 
@@ -19,19 +18,18 @@ struct Options {
 
 void Run(const Options& o) {
     const auto monitor = MakeMonitor(o.common);
-    const TruthBench bench = BenchTruth(LoadScene(o.scene), o.settings, NowS, *monitor);
-    Publish(bench, o.common);
+    Publish(BenchTruth(LoadScene(o.scene), o.settings, ContextOf(o.common, *monitor)),
+            o.common);
 }
 
-}  // namespace
-
-void AddBenchTruth(CLI::App& bench) {
+void Add(CLI::App& bench) {
     auto o = std::make_shared<Options>();
+    o->common.out = "out/bench-truth";
     CLI::App* truth = bench.add_subcommand(
         "truth",
         "The path tracer: V of a view beside bare Embree calls over the same rays on 1 and 2\n"
-        "threads, a furnace on a noisy field, error of V against rays. Writes\n"
-        "bench_truth.json to the folder --out.");
+        "threads, a furnace on a noisy field, error of V against rays. The page, JSON and CSV\n"
+        "go to the folder --out.");
     truth->add_option("scene", o->scene, "scene.json, or make:KIND")->capture_default_str();
     truth->add_option("--width", o->settings.width_px, "Width of the view [pixels]")
         ->check(CLI::Range(1, 65536))
@@ -44,10 +42,7 @@ void AddBenchTruth(CLI::App& bench) {
                      "Rows of pixels that are timed, evenly spread: each costs 3 KiB a pixel")
         ->check(CLI::Range(1, 65536))
         ->capture_default_str();
-    truth
-        ->add_option("--rounds", o->settings.rounds, "Rounds of each comparison; medians count")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+    AddRounds(*truth, o->settings.rounds);
     truth
         ->add_option("--paths", o->settings.furnace_paths,
                      "Paths of the furnace; 0 = none, 100000000 takes minutes")
@@ -57,4 +52,7 @@ void AddBenchTruth(CLI::App& bench) {
     truth->callback([o] { Run(*o); });
 }
 
+const Listed kListed("bench", 30, Add);
+
+}  // namespace
 }  // namespace plumb::app

@@ -68,9 +68,7 @@ void Run(const CLI::App& command, const Options& o) {
     }
 }
 
-}  // namespace
-
-void AddFit(CLI::App& program) {
+void Add(CLI::App& program) {
     auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand(
         "fit",
@@ -133,4 +131,7 @@ void AddFit(CLI::App& program) {
     });
 }
 
+const Listed kListed("", 10, Add);
+
+}  // namespace
 }  // namespace plumb::app

@@ -41,9 +41,7 @@ void Run(Options o) {
               << "\nImages: " << result.exr.string() << "\n";
 }
 
-}  // namespace
-
-void AddRender(CLI::App& program) {
+void Add(CLI::App& program) {
     auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand(
         "render",
@@ -64,4 +62,7 @@ void AddRender(CLI::App& program) {
     command->callback([o] { Run(*o); });
 }
 
+const Listed kListed("", 40, Add);
+
+}  // namespace
 }  // namespace plumb::app

@@ -58,9 +58,7 @@ void Run(const Options& o) {
     }
 }
 
-}  // namespace
-
-void AddReport(CLI::App& program) {
+void Add(CLI::App& program) {
     auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand(
         "report",
@@ -105,4 +103,7 @@ void AddReport(CLI::App& program) {
     command->callback([o] { Run(*o); });
 }
 
+const Listed kListed("", 50, Add);
+
+}  // namespace
 }  // namespace plumb::app

@@ -41,9 +41,7 @@ void Run(const CLI::App& command, const Options& o) {
     }
 }
 
-}  // namespace
-
-void AddSimulate(CLI::App& program) {
+void Add(CLI::App& program) {
     auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand(
         "simulate",
@@ -74,4 +72,7 @@ void AddSimulate(CLI::App& program) {
     command->callback([o, command] { Run(*command, *o); });
 }
 
+const Listed kListed("", 20, Add);
+
+}  // namespace
 }  // namespace plumb::app

@@ -22,9 +22,7 @@ void Run(const Options& o) {
                                                      : TechniquesForm::kText);
 }
 
-}  // namespace
-
-void AddTechniques(CLI::App& program) {
+void Add(CLI::App& program) {
     auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand(
         "techniques",
@@ -37,4 +35,7 @@ void AddTechniques(CLI::App& program) {
     command->callback([o] { Run(*o); });
 }
 
+const Listed kListed("", 60, Add);
+
+}  // namespace
 }  // namespace plumb::app

@@ -55,9 +55,7 @@ void RunTruth(Options o) {
     if (result.interrupted) throw Interrupted();
 }
 
-}  // namespace
-
-void AddTruth(CLI::App& program) {
+void Add(CLI::App& program) {
     auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand(
         "truth",
@@ -122,4 +120,7 @@ void AddTruth(CLI::App& program) {
     command->callback([o] { RunTruth(*o); });
 }
 
+const Listed kListed("", 30, Add);
+
+}  // namespace
 }  // namespace plumb::app

@@ -10,11 +10,14 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <iostream>
+#include <map>
 #include <mutex>
 #include <vector>
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/time_in_turns.h"
 
 namespace plumb::app {
 namespace {
@@ -104,6 +107,14 @@ std::string CheckSeed(const std::string& text) {
                : "--seed = " + text + ", must be a whole number in [0, 2^64 - 1]";
 }
 
+using Group = std::multimap<int, void (*)(CLI::App&)>;
+
+// Made at its first use: objects that list themselves are made before main().
+std::map<std::string, Group>& Groups() {
+    static std::map<std::string, Group> groups;
+    return groups;
+}
+
 }  // namespace
 
 void AddCommon(CLI::App& command, Common& common) {
@@ -121,6 +132,14 @@ void AddCommon(CLI::App& command, Common& common) {
         ->capture_default_str();
     command.add_flag("-q,--quiet", common.quiet, "No progress, no table");
     command.add_flag("--json", common.json, "The report as JSON on standard output, no table");
+}
+
+void AddRounds(CLI::App& command, int& rounds) {
+    command
+        .add_option("--rounds", rounds,
+                    "Rounds of every timing, after one that warms up; medians count")
+        ->check(CLI::Range(kTimedRounds, 1000))
+        ->capture_default_str();
 }
 
 std::unique_ptr<Monitor> MakeMonitor(const Common& common) {
@@ -166,6 +185,32 @@ void RememberCommandLine(int argc, char** argv) {
         }
         text += " " + word;
     }
+}
+
+RunContext ContextOf(const Common& common, Monitor& monitor) {
+    return {.version = PLUMB_VERSION,
+            .command = CommandLine(),
+            .seed = common.seed,
+            .clock = NowS,
+            .monitor = monitor,
+            .folder = common.out};
+}
+
+void Publish(const doc::Document& document, const Common& common) {
+    const std::filesystem::path page = WriteDocument(common.out, document);
+    if (common.json) {
+        std::cout << doc::ToJsonText(document);
+    } else if (!common.quiet) {
+        std::cout << doc::ToTerminal(document) << "\nReport: " << page.string() << "\n";
+    }
+}
+
+Listed::Listed(std::string group, int place, void (*add)(CLI::App& parent)) {
+    Groups()[std::move(group)].emplace(place, add);
+}
+
+void AddListed(CLI::App& parent, const std::string& group) {
+    for (const auto& [place, add] : Groups()[group]) add(parent);
 }
 
 }  // namespace plumb::app

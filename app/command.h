@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "core/monitor.h"
-#include "jobs/light/simulate_surface.h"
+#include "core/run_context.h"
+#include "jobs/write_document.h"
 
 namespace plumb::app {
 
@@ -23,6 +23,9 @@ struct Common {
 /// Declares --out, --threads, --seed, --quiet and --json.
 void AddCommon(CLI::App& command, Common& common);
 
+/// Declares --rounds: of every timing, at least as many as a median needs.
+void AddRounds(CLI::App& command, int& rounds);
+
 /// A progress line with the time that is left, on a terminal only; learns of Ctrl-C. Sets the
 /// number of threads. Throws Error or MachineError if --out is empty or cannot be written to.
 std::unique_ptr<Monitor> MakeMonitor(const Common& common);
@@ -36,15 +39,20 @@ double NowS();
 std::string CommandLine();
 void RememberCommandLine(int argc, char** argv);
 
-void AddFit(CLI::App& program);
-void AddSimulate(CLI::App& program);
-void AddTruth(CLI::App& program);
-void AddRender(CLI::App& program);
-void AddReport(CLI::App& program);
-void AddTechniques(CLI::App& program);
-void AddBench(CLI::App& program);
-void AddBenchRaster(CLI::App& bench);
-void AddBenchTruth(CLI::App& bench);
-void AddBenchAo(CLI::App& bench);
+/// What a job is run with; `monitor` must outlive it.
+RunContext ContextOf(const Common& common, Monitor& monitor);
+
+/// Writes the document into --out, and prints it: as JSON, for a terminal or not at all.
+void Publish(const doc::Document& document, const Common& common);
+
+/// A subcommand that lists itself: one such object in its own file, which nobody else names.
+struct Listed {
+    /// `group`: the subcommand that it belongs to, "" for plumb itself; help lists a group by
+    /// `place`.
+    Listed(std::string group, int place, void (*add)(CLI::App& parent));
+};
+
+/// Adds all that list themselves in that group.
+void AddListed(CLI::App& parent, const std::string& group);
 
 }  // namespace plumb::app

@@ -47,13 +47,7 @@ int Run(int argc, char** argv) {
         "Exit status: 0 done, 1 a check failed, 2 bad input, 3 disk or memory, 130 "
         "interrupted.");
     RememberCommandLine(argc, argv);
-    AddFit(program);
-    AddSimulate(program);
-    AddTruth(program);
-    AddRender(program);
-    AddReport(program);
-    AddTechniques(program);
-    AddBench(program);
+    AddListed(program, "");
     const int status = Parse(program, argc, argv);
     FlushOutput();
     return status;

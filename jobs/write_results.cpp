@@ -117,20 +117,4 @@ void WriteLightMaps(const std::filesystem::path& folder, const Surface& surface,
               {"pixel", "mean of the two facets of a cell, centre at ((i + 1) s, (j + 1) s)"}});
 }
 
-void WriteBenchResults(const std::filesystem::path& folder, const LightBench& bench) {
-    WriteWholeFile(folder / "bench_light.json", ToJsonText(bench));
-}
-
-void WriteBenchResults(const std::filesystem::path& folder, const RasterBench& bench) {
-    WriteWholeFile(folder / "bench_raster.json", ToJsonText(bench));
-}
-
-void WriteBenchResults(const std::filesystem::path& folder, const TruthBench& bench) {
-    WriteWholeFile(folder / "bench_truth.json", ToJsonText(bench));
-}
-
-void WriteBenchResults(const std::filesystem::path& folder, const AoBench& bench) {
-    WriteWholeFile(folder / "bench_ao.json", ToJsonText(bench));
-}
-
 }  // namespace plumb

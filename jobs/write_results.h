@@ -9,12 +9,8 @@
 #include "heightfield/height_field.h"
 #include "jobs/light/simulate_surface.h"
 #include "jobs/light/surface.h"
-#include "reports/ao_bench_report.h"
-#include "reports/bench_report.h"
 #include "reports/fit_report.h"
-#include "reports/raster_bench_report.h"
 #include "reports/simulate_report.h"
-#include "reports/truth_bench_report.h"
 
 namespace plumb {
 
@@ -34,12 +30,6 @@ void WriteCurveResults(const std::filesystem::path& folder, const FitReport& rep
 /// page's path.
 std::filesystem::path WriteSimulateResults(const std::filesystem::path& folder,
                                            const SimulateReport& report);
-
-/// bench_light.json, bench_raster.json, bench_truth.json, bench_ao.json.
-void WriteBenchResults(const std::filesystem::path& folder, const LightBench& bench);
-void WriteBenchResults(const std::filesystem::path& folder, const RasterBench& bench);
-void WriteBenchResults(const std::filesystem::path& folder, const TruthBench& bench);
-void WriteBenchResults(const std::filesystem::path& folder, const AoBench& bench);
 
 /// Maps of the light, one pixel a cell: light.exr with the channels height_m, alpha, V, E_0 ...
 /// E_K and E(rho) of each albedo (core/total_name.h), all of them the mean of the cell's two

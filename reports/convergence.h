@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "core/measured.h"
+
 namespace plumb {
 
 struct ConvergencePoint {
-    std::string method;     ///< "slices" or "rays": one series a method.
-    int per_facet = 0;      ///< Slices or rays of a facet.
-    double seconds = 0;     ///< Median run time of making the links and letting light bounce.
-    double rms_V = 0;       ///< Of V against the reference, over facets.
+    std::string method;  ///< "slices" or "rays": one series a method.
+    int per_facet = 0;   ///< Slices or rays of a facet.
+    Measured seconds;    ///< Of making the links and letting light bounce; see time_in_turns.h.
+    double rms_V = 0;    ///< Of V against the reference, over facets.
     double rms_E_half = 0;  ///< Of E(1/2) against the reference, over facets.
     double max_abs_V = 0;   ///< Largest error of V of a facet.
 };

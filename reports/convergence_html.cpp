@@ -6,6 +6,7 @@
 #include "reports/fit_report_page.h"
 #include "reports/fit_report_parts.h"
 #include "reports/page.h"
+#include "reports/render.h"
 #include "reports/surface_html.h"
 #include "reports/text.h"
 
@@ -39,7 +40,7 @@ std::vector<MethodSeries> ByMethod(const Convergence& convergence) {
             found = methods.end() - 1;
         }
         found->per_facet.push_back(point.per_facet);
-        found->seconds.push_back(point.seconds);
+        found->seconds.push_back(point.seconds.value);
         found->rms_V.push_back(point.rms_V);
         found->rms_E.push_back(point.rms_E_half);
     }
@@ -105,12 +106,13 @@ std::string ErrorAgainstTime(const Convergence& convergence, PlotSheet& sheet) {
     }
     std::vector<std::vector<Cell>> rows;
     for (const ConvergencePoint& point : convergence.points)
-        rows.push_back({{Html(point.method), "", ""},
-                        {Count(point.per_facet), "", ""},
-                        {Digits(point.seconds), "", ""},
-                        {Digits(point.rms_V), "", ""},
-                        {Digits(point.max_abs_V), "", ""},
-                        {Digits(point.rms_E_half), "", ""}});
+        rows.push_back(
+            {{Html(point.method), "", ""},
+             {Count(point.per_facet), "", ""},
+             {doc::CellText({.key = "time_s", .title = "Time"}, point.seconds), "", ""},
+             {Digits(point.rms_V), "", ""},
+             {Digits(point.max_abs_V), "", ""},
+             {Digits(point.rms_E_half), "", ""}});
     std::string html = "<p>Map: " + Html(convergence.map) + ", " + Count(convergence.facets) +
                        " facets, " + std::to_string(convergence.threads) +
                        (convergence.threads == 1 ? " thread" : " threads") +

@@ -145,7 +145,9 @@ Json ToJson(const Convergence& convergence) {
     for (const ConvergencePoint& point : convergence.points)
         points.push_back({{"method", point.method},
                           {"per_facet", point.per_facet},
-                          {"seconds", point.seconds},
+                          {"seconds", point.seconds.value},
+                          {"seconds_low", point.seconds.interval.low},
+                          {"seconds_high", point.seconds.interval.high},
                           {"rms_cosine_visibility", point.rms_V},
                           {"max_abs_cosine_visibility", point.max_abs_V},
                           {"rms_total_half_albedo", point.rms_E_half}});

@@ -1,7 +1,6 @@
 #include "jobs/light/bench_light.h"
 
 #include <algorithm>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -9,18 +8,15 @@
 #include "core/warp.h"
 #include "heightfield/facet.h"
 #include "heightfield/ray_cast.h"
+#include "jobs/bench_facts.h"
 #include "jobs/light/convergence_study.h"
+#include "jobs/memory_copy.h"
 #include "truth/embree_caster.h"
 
 namespace plumb {
 namespace {
 
 constexpr int kConvergenceTexels = 64;
-
-double Median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 // The same rays for both casters.
 struct CastRays {
@@ -63,45 +59,14 @@ CastRays MakeRays(const HeightField& field, const LightBenchSettings& s) {
     return rays;
 }
 
-CastingBench BenchCasting(const HeightField& field, const LightBenchSettings& s,
-                          const Clock& clock) {
-    const bool endless = field.GetBoundary() != Boundary::kOpen;
-    const EmbreeCaster embree(ToMesh(field, endless ? 1 : 0));
-    const CastRays rays = MakeRays(field, s);
-    const EmbreeBareLoop loop(embree, rays.embree);
-    const WalkGrid grid(field);
-    const double far_m = FarDistanceM(field);
-    const std::size_t n = rays.facet.size();
-    std::vector<std::int64_t> met(n);
-    std::vector<double> walk_s, embree_s, ratio;
-    for (int round = 0; round <= s.rounds; ++round) {
-        const double begin_s = clock();
-        for (std::size_t i = 0; i < n; ++i) {
-            met[i] =
-                CastFromFacet(grid, rays.facet[i], rays.origin_m[i], rays.direction[i], far_m);
-        }
-        const double middle_s = clock();
-        loop.Closest(0, n);
-        const double end_s = clock();
-        if (round == 0) continue;
-        walk_s.push_back(middle_s - begin_s);
-        embree_s.push_back(end_s - middle_s);
-        ratio.push_back(walk_s.back() / embree_s.back());
-    }
-
-    CastingBench bench;
-    bench.rays = std::int64_t(n);
-    bench.walk_rays_per_second = double(n) / Median(walk_s);
-    bench.embree_rays_per_second = double(n) / Median(embree_s);
-    bench.time_ratio = Median(ratio);
-    bench.time_ratio_low = *std::min_element(ratio.begin(), ratio.end());
-    bench.time_ratio_high = *std::max_element(ratio.begin(), ratio.end());
-
-    std::vector<Hit> hits(n);
+// Share of the rays that both send to the same cell or to the sky.
+double Agreement(const HeightField& field, const CastRays& rays,
+                 std::span<const std::int64_t> met, const EmbreeCaster& embree, bool endless) {
+    std::vector<Hit> hits(met.size());
     embree.Closest(rays.embree, hits);
     const int columns = (endless ? 3 : 1) * field.CellsX();
     std::int64_t agree = 0;
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < met.size(); ++i) {
         if (!hits[i].Met()) {
             agree += met[i] == kSky;
             continue;
@@ -111,88 +76,187 @@ CastingBench BenchCasting(const HeightField& field, const LightBenchSettings& s,
                   row = quad / columns % field.CellsY();
         agree += met[i] >= 0 && met[i] / 2 == std::int64_t(row) * field.CellsX() + column;
     }
-    bench.agreement = double(agree) / double(n);
-    return bench;
+    return double(agree) / double(met.size());
 }
 
-SimulationBench BenchSimulation(const Surface& surface, LinkMethod method,
-                                const LightBenchSettings& s, const Clock& clock,
-                                const PeakMemory& peak_memory, Monitor& monitor) {
-    SimulateSettings settings;
-    settings.method = method;
-    settings.slices.slices = s.slices;
-    settings.rays.rays = s.rays;
-    settings.bounces = s.bounces;
-    settings.check_furnace = false;
-    Timings timings;
-    const double begin_s = clock();
-    const SurfaceLight light =
-        SimulateSurface(surface.source.name, surface.field, settings, monitor, &timings, clock);
-    SimulationBench bench;
-    bench.total_s = clock() - begin_s;
-    bench.method = SamplingOf(settings).method;
-    bench.per_facet = SamplingOf(settings).per_facet;
-    for (const StageTiming& stage : timings.stages) {
-        if (stage.stage == "links") bench.links_s = stage.seconds;
-        if (stage.stage == "bounces") bench.bounces_s = stage.seconds;
+doc::Section BenchCasting(const HeightField& field, const LightBenchSettings& s,
+                          const RunContext& run) {
+    const bool endless = field.GetBoundary() != Boundary::kOpen;
+    const EmbreeCaster embree(ToMesh(field, endless ? 1 : 0));
+    const CastRays rays = MakeRays(field, s);
+    const EmbreeBareLoop loop(embree, rays.embree);
+    const WalkGrid grid(field);
+    const double far_m = FarDistanceM(field);
+    const std::size_t n = rays.facet.size();
+    std::vector<std::int64_t> met(n);
+    const TurnTimes times =
+        TimeInTurns({{.run =
+                          [&] {
+                              for (std::size_t i = 0; i < n; ++i) {
+                                  met[i] = CastFromFacet(grid, rays.facet[i], rays.origin_m[i],
+                                                         rays.direction[i], far_m);
+                              }
+                          }},
+                     {.run = [&] { loop.Closest(0, n); }}},
+                    s.rounds, run.clock, run.monitor);
+
+    doc::Table table{.key = "casting",
+                     .columns = {{.key = "caster", .title = "Caster", .role = doc::Role::kName},
+                                 TimeColumn("mrays_per_s", "Million rays a second", "M/s",
+                                            doc::Better::kMore),
+                                 TimeColumn("of_embree", "Time over that of Embree", "",
+                                            doc::Better::kLess, "Round by round.")}};
+    table.Add({"facet walk", 1e-6 * times.Rate(0, double(n)), times.Ratio(0, 1)});
+    table.Add({"Embree rtcIntersect1", 1e-6 * times.Rate(1, double(n)), times.Ratio(1, 1)});
+    return {
+        .id = "casting",
+        .title = "Casting rays, one thread",
+        .facts = {{{.key = "casting_rays", .title = "Rays, cosine-weighted"}, std::int64_t(n)},
+                  {{.key = "agreement",
+                    .title = "Same cell, or both the sky",
+                    .digits = 5,
+                    .better = doc::Better::kMore,
+                    .meaning = "Share of the rays. Embree sees float coordinates and a "
+                               "surface that ends one tile beyond the middle one."},
+                   Agreement(field, rays, met, embree, endless)}},
+        .tables = {std::move(table)}};
+}
+
+doc::Section BenchSimulations(const Surface& surface, const LightBenchSettings& s,
+                              const PeakMemory& peak_memory, const RunContext& run) {
+    struct Simulated {
+        SimulateSettings settings = {};
+        std::int64_t links = 0;
+        double bytes_per_link = 0;
+        double peak_bytes = 0;  // Once the first run is over.
+    };
+    std::vector<Simulated> simulated(2);
+    std::vector<SelfTimed> things;
+    for (Simulated& one : simulated) {
+        one.settings.method =
+            &one == simulated.data() ? LinkMethod::kSlices : LinkMethod::kRays;
+        one.settings.slices.slices = s.slices;
+        one.settings.rays.rays = s.rays;
+        one.settings.bounces = s.bounces;
+        one.settings.check_furnace = false;
+        things.push_back([&one, &surface, &peak_memory, &run] {
+            Timings timings;
+            const double begin_s = run.clock();
+            const SurfaceLight light =
+                SimulateSurface(surface.source.name, surface.field, one.settings, run.monitor,
+                                &timings, run.clock);
+            const double total_s = run.clock() - begin_s;
+            one.links = light.links;
+            one.bytes_per_link =
+                double(light.link_bytes) / double(std::max<std::int64_t>(1, light.links));
+            if (one.peak_bytes == 0) one.peak_bytes = peak_memory();
+            double links_s = 0, bounces_s = 0;
+            for (const StageTiming& stage : timings.stages) {
+                if (stage.stage == "links") links_s = stage.seconds;
+                if (stage.stage == "bounces") bounces_s = stage.seconds;
+            }
+            return std::vector<double>{links_s, bounces_s, total_s - links_s - bounces_s};
+        });
     }
-    bench.units_per_second = double(surface.field.Facets()) * bench.per_facet / bench.links_s;
-    bench.links = light.links;
-    bench.bytes_per_link =
-        double(light.link_bytes) / double(std::max<std::int64_t>(1, light.links));
-    bench.peak_memory_bytes = peak_memory();
-    return bench;
+    const TurnTimes times = TakeTurns(things, s.rounds, run.monitor);
+
+    using doc::Better, doc::Role;
+    doc::Table table{
+        .key = "simulations",
+        .columns = {{.key = "method", .title = "Method", .role = Role::kName},
+                    {.key = "per_facet", .title = "A facet", .role = Role::kName},
+                    TimeColumn("links_s", "Links", "s"),
+                    TimeColumn("bounces_s", "Bounces", "s"),
+                    TimeColumn("total_s", "All", "s"),
+                    TimeColumn("m_per_s", "Slices or rays", "M/s", Better::kMore,
+                               "While links are made."),
+                    {.key = "links", .title = "Links"},
+                    {.key = "bytes_per_link", .title = "Bytes a link", .better = Better::kLess},
+                    TimeColumn("peak_gib", "Peak memory", "GiB", Better::kLess,
+                               "Of the process, up to the end of the first such simulation.")}};
+    for (std::size_t k = 0; k < simulated.size(); ++k) {
+        const Simulated& one = simulated[k];
+        const Sampling sampling = SamplingOf(one.settings);
+        const double units = double(surface.field.Facets()) * sampling.per_facet;
+        const Measured links_s = times.SecondsOfPart(k, 0);
+        table.Add({sampling.method, sampling.per_facet, links_s, times.SecondsOfPart(k, 1),
+                   times.Seconds(k), 1e-6 * PerSecond(units, links_s), one.links,
+                   one.bytes_per_link, one.peak_bytes / (1024.0 * 1024 * 1024)});
+    }
+    return {.id = "simulations", .title = "Whole simulations", .tables = {std::move(table)}};
 }
 
-// Bytes a second of one bounce over links made with few slices, and of copying as many bytes.
-void BenchStreams(const Surface& surface, const LightBenchSettings& s, const Clock& clock,
-                  LightBench& bench, Monitor& monitor) {
+// One bounce over links made with few slices, beside a copy of as many bytes.
+doc::Section BenchStreams(const Surface& surface, const LightBenchSettings& s,
+                          const RunContext& run) {
+    SimulateSettings few;
+    few.slices.slices = std::min(8, s.slices);
     const Links links =
-        LinksBySlices(surface.field, {.slices = std::min(8, s.slices)}, monitor);
+        MakeLinksOf(surface.field, FacetPieces(surface.field, few.cut), few, run.monitor);
     std::vector<double> E = links.V;
-    std::vector<char> from(links.MemoryBytes() / 2, 1), to(from.size());
-    std::vector<double> gather_s, copy_s;
-    constexpr std::int64_t kChunk = 1 << 20;
-    for (int round = 0; round <= s.rounds; ++round) {
-        const double begin_s = clock();
-        E = Gather(links, E, monitor);
-        const double middle_s = clock();
-        ParallelFor(
-            std::int64_t(from.size()), kChunk, [&](std::int64_t begin, std::int64_t end) {
-                std::memcpy(to.data() + begin, from.data() + begin, std::size_t(end - begin));
-            });
-        const double end_s = clock();
-        if (round == 0) continue;
-        gather_s.push_back(middle_s - begin_s);
-        copy_s.push_back(end_s - middle_s);
+    MemoryCopy copy(links.MemoryBytes());
+    const TurnTimes times = TimeInTurns(
+        {{.run = [&] { E = Gather(links, E, run.monitor); }}, {.run = std::ref(copy)}},
+        s.rounds, run.clock, run.monitor);
+    doc::Table table{
+        .key = "streams",
+        .columns = {{.key = "stream", .title = "Stream", .role = doc::Role::kName},
+                    TimeColumn("gb_per_s", "Bytes a second", "GB/s", doc::Better::kMore),
+                    TimeColumn("of_copy", "Time over that of the copy", "")}};
+    table.Add({"one bounce, its links", 1e-9 * times.Rate(0, double(links.MemoryBytes())),
+               times.Ratio(0, 1)});
+    table.Add(
+        {"a copy, read and written", 1e-9 * times.Rate(1, copy.Bytes()), times.Ratio(1, 1)});
+    return {.id = "streams",
+            .title = "One bounce beside copying memory, all threads",
+            .tables = {std::move(table)}};
+}
+
+doc::Section ConvergenceSection(const Convergence& c) {
+    using doc::Better, doc::Role;
+    doc::Table table{
+        .key = "convergence",
+        .columns = {
+            {.key = "method", .title = "Method", .role = Role::kName},
+            {.key = "per_facet", .title = "A facet", .role = Role::kName},
+            TimeColumn("time_s", "Time", "s"),
+            {.key = "rms_v", .title = "RMS error of V", .better = Better::kLess},
+            {.key = "max_abs_v", .title = "Largest error of V", .better = Better::kLess},
+            {.key = "rms_e_half", .title = "RMS error of E(1/2)", .better = Better::kLess}}};
+    for (const ConvergencePoint& p : c.points) {
+        table.Add({p.method, p.per_facet, p.seconds, p.rms_V, p.max_abs_V, p.rms_E_half});
     }
-    bench.gather_bytes_per_second = double(links.MemoryBytes()) / Median(gather_s);
-    bench.copy_bytes_per_second = 2 * double(from.size()) / Median(copy_s);
+    return {.id = "convergence",
+            .title = "Error against time",
+            .sentences = {"The middle of the map, " + std::to_string(c.facets) +
+                          " facets, against " + doc::Verbatim(c.reference) + " a facet."},
+            .tables = {std::move(table)}};
 }
 
 }  // namespace
 
-LightBench BenchLight(const Surface& surface, const LightBenchSettings& settings,
-                      const Clock& clock, const PeakMemory& peak_memory, Monitor& monitor) {
-    LightBench bench;
-    bench.map = surface.source.name;
-    bench.width_texels = surface.field.Width();
-    bench.height_texels = surface.field.Height();
-    bench.facets = surface.field.Facets();
-    bench.threads = ThreadCount();
-    bench.bounces = settings.bounces;
-    for (const LinkMethod method : {LinkMethod::kSlices, LinkMethod::kRays}) {
-        bench.simulations.push_back(
-            BenchSimulation(surface, method, settings, clock, peak_memory, monitor));
-    }
-    bench.casting = BenchCasting(surface.field, settings, clock);
-    BenchStreams(surface, settings, clock, bench, monitor);
+doc::Document BenchLight(const Surface& surface, const LightBenchSettings& settings,
+                         const PeakMemory& peak_memory, const RunContext& run) {
+    const HeightField& field = surface.field;
+    const std::string& name = surface.source.name;
+    doc::Document document{.kind = "bench_light",
+                           .title = "Speed of the light simulation: " + name,
+                           .subtitle = std::to_string(field.Width()) + " x " +
+                                       std::to_string(field.Height()) + " texels, " +
+                                       std::to_string(field.Facets()) + " facets, " +
+                                       std::to_string(settings.bounces) + " bounces",
+                           .provenance = doc::ProvenanceOf(run)};
+    document.provenance.inputs = {{name, surface.source.sha256}};
+    document.sections = {BenchSimulations(surface, settings, peak_memory, run),
+                         BenchCasting(field, settings, run),
+                         BenchStreams(surface, settings, run)};
+    document.sections[0].facts = BenchFacts(ThreadCount(), settings.rounds);
     if (settings.study_convergence) {
-        bench.convergence =
-            StudyConvergence(bench.map, MiddleOf(surface.field, kConvergenceTexels),
-                             {.runs = settings.rounds}, clock, monitor);
+        document.sections.push_back(ConvergenceSection(
+            StudyConvergence(name, MiddleOf(field, kConvergenceTexels),
+                             {.rounds = settings.rounds}, run.clock, run.monitor)));
     }
-    return bench;
+    return document;
 }
 
 }  // namespace plumb

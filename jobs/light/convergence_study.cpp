@@ -51,31 +51,33 @@ Convergence StudyConvergence(const std::string& name, const HeightField& field,
     out.reference = "slices, " + std::to_string(settings.reference_slices);
     out.facets = field.Facets();
     out.threads = ThreadCount();
-    const auto measure = [&](LinkMethod method, int per_facet) {
-        SimulateSettings settings_here;
-        settings_here.method = method;
-        settings_here.slices.slices = settings_here.rays.rays = per_facet;
-        Light light;
-        std::vector<double> seconds;
-        for (int run = 0; run < settings.runs; ++run) {
-            const double begin_s = clock();
-            light = LightOf(field, settings_here, monitor);
-            seconds.push_back(clock() - begin_s);
-        }
-        std::sort(seconds.begin(), seconds.end());
+    std::vector<SimulateSettings> judged;
+    const auto judge = [&](LinkMethod method, int per_facet) {
+        SimulateSettings& one = judged.emplace_back();
+        one.method = method;
+        one.slices.slices = one.rays.rays = per_facet;
+    };
+    for (const int n : settings.slices) judge(LinkMethod::kSlices, n);
+    for (const int n : settings.rays) judge(LinkMethod::kRays, n);
+    std::vector<Light> lights(judged.size());
+    std::vector<Turn> turns;
+    for (std::size_t k = 0; k < judged.size(); ++k) {
+        turns.push_back({.run = [&, k] { lights[k] = LightOf(field, judged[k], monitor); }});
+    }
+    const TurnTimes times = TimeInTurns(turns, settings.rounds, clock, monitor);
+    for (std::size_t k = 0; k < judged.size(); ++k) {
+        const Light& light = lights[k];
         ConvergencePoint point;
-        point.method = SamplingOf(settings_here).method;
-        point.per_facet = per_facet;
-        point.seconds = seconds[seconds.size() / 2];
+        point.method = SamplingOf(judged[k]).method;
+        point.per_facet = SamplingOf(judged[k]).per_facet;
+        point.seconds = times.Seconds(k);
         point.rms_V = Rms(light.V, reference.V);
         point.rms_E_half = Rms(light.E_half, reference.E_half);
         for (std::size_t i = 0; i < light.V.size(); ++i) {
             point.max_abs_V = std::max(point.max_abs_V, std::abs(light.V[i] - reference.V[i]));
         }
         out.points.push_back(point);
-    };
-    for (const int n : settings.slices) measure(LinkMethod::kSlices, n);
-    for (const int n : settings.rays) measure(LinkMethod::kRays, n);
+    }
     return out;
 }
 

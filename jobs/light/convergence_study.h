@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/monitor.h"
+#include "core/time_in_turns.h"
 #include "heightfield/height_field.h"
 #include "jobs/light/simulate_surface.h"
 #include "reports/convergence.h"
@@ -12,10 +13,10 @@ struct ConvergenceSettings {
     std::vector<int> slices = {4, 8, 16, 32};
     std::vector<int> rays = {16, 64, 256};
     int reference_slices = 256;  ///< With another seed than those that are judged.
-    int runs = 3;                ///< Of each; the median time counts. [1, ...)
+    int rounds = kTimedRounds;   ///< Of each, in turns, after one that warms up. [1, ...)
 };
 
-/// Simulates `field` with each count in turn. The errors are root mean squares over facets
+/// Simulates `field` with each count. The errors are root mean squares over facets
 /// against the reference, whose own error is smaller by the square root of the counts' ratio or
 /// more.
 Convergence StudyConvergence(const std::string& name, const HeightField& field,

@@ -1,12 +1,16 @@
 // The speed of SAO and AlchemyAO at the sizes of the paper, in one run.
 //
+// Whole techniques as the supplement has them; sampling passes alone with 9 taps (figure 5),
+// AlchemyAO's with its 12, at a small and at the given radius, with and without the pyramid.
+//
 // Source   [McGuire12] tables 2 and 3, figure 5.
 #pragma once
 
 #include <vector>
 
+#include "core/run_context.h"
 #include "jobs/screen_space/ao_times.h"
-#include "reports/ao_bench_report.h"
+#include "reports/document.h"
 
 namespace plumb {
 
@@ -16,7 +20,7 @@ struct AoBenchSettings {
     std::vector<TimedSize> sizes = {{1280, 720, 128}, {1920, 1080, 192}, {2560, 1600, 256}};
 };
 
-AoBench BenchAo(const Scene& scene, const Camera& camera, const AoBenchSettings& settings,
-                const PassClock& clock, Monitor& monitor = SilentMonitor());
+doc::Document BenchAo(const Scene& scene, const Camera& camera, const AoBenchSettings& settings,
+                      const RunContext& run);
 
 }  // namespace plumb

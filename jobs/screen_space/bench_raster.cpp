@@ -2,57 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 
-#include "core/error.h"
 #include "core/parallel.h"
+#include "core/time_in_turns.h"
+#include "jobs/bench_facts.h"
+#include "jobs/memory_copy.h"
 #include "screen_space/raster/draw_gbuffer.h"
 
 namespace plumb {
 namespace {
 
-constexpr std::int64_t kCopyChunk = 1 << 20;
-constexpr std::size_t kCopyBytes = std::size_t{1} << 27;  // Larger than any cache.
 constexpr int kSheetPx = 1000;  // Picture of the triangles of one size.
-
-double Median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
-// Median times of several things done in turns.
-std::vector<double> InTurns(const std::vector<std::function<void()>>& things, int rounds,
-                            const Clock& clock, Monitor& monitor) {
-    std::vector<std::vector<double>> seconds(things.size());
-    for (int round = 0; round <= rounds; ++round) {
-        for (std::size_t k = 0; k < things.size(); ++k) {
-            if (monitor.Cancelled()) throw Interrupted();
-            const double begin_s = clock();
-            things[k]();
-            if (round > 0) seconds[k].push_back(clock() - begin_s);
-        }
-    }
-    std::vector<double> medians;
-    for (std::vector<double>& s : seconds) medians.push_back(Median(std::move(s)));
-    return medians;
-}
-
-class Copy {
-  public:
-    explicit Copy(std::size_t bytes) : from_(bytes, 1), to_(bytes) {}
-
-    void operator()() {
-        ParallelFor(
-            std::int64_t(from_.size()), kCopyChunk, [&](std::int64_t begin, std::int64_t end) {
-                std::memcpy(to_.data() + begin, from_.data() + begin, std::size_t(end - begin));
-            });
-    }
-    double Bytes() const { return 2 * double(from_.size()); }
-
-  private:
-    std::vector<char> from_, to_;
-};
 
 // Right triangles side by side, sheet upon sheet, each a little nearer to the camera.
 Mesh TrianglesOfSize(double legs_px, std::int64_t count, const Camera& camera) {
@@ -75,78 +36,123 @@ Mesh TrianglesOfSize(double legs_px, std::int64_t count, const Camera& camera) {
     return mesh;
 }
 
-SizeBench BenchSize(double legs_px, const RasterBenchSettings& settings, const Clock& clock,
-                    Monitor& monitor) {
+std::vector<doc::Cell> TriangleRow(double legs_px, const RasterBenchSettings& settings,
+                                   const RunContext& run) {
     const Camera camera{.position_m = {0, 0, 0},
                         .target_m = {0, 1, 0},
                         .width_px = kSheetPx,
                         .height_px = kSheetPx};
     const double pixels_each = 0.5 * legs_px * legs_px;
-    SizeBench bench;
-    bench.legs_px = legs_px;
-    bench.triangles = std::int64_t(std::clamp(1e8 / pixels_each, 1000.0, 200000.0));
-    const Mesh mesh = TrianglesOfSize(legs_px, bench.triangles, camera);
-    const double pixels = pixels_each * double(bench.triangles);
+    const auto triangles = std::int64_t(std::clamp(1e8 / pixels_each, 1000.0, 200000.0));
+    const Mesh mesh = TrianglesOfSize(legs_px, triangles, camera);
+    const double pixels = pixels_each * double(triangles);
     Rasterizer rasterizer;
-    Copy copy(kCopyBytes);
-    const std::vector<double> seconds =
-        InTurns({[&] { rasterizer.Draw(mesh, camera, {}, false); }, std::ref(copy)},
-                settings.rounds, clock, monitor);
-    bench.triangles_per_second = double(bench.triangles) / seconds[0];
-    bench.pixels_per_second = pixels / seconds[0];
-    bench.copy_ratio = seconds[0] / (seconds[1] * 8 * pixels / copy.Bytes());
-    return bench;
+    MemoryCopy copy(kLargeCopyBytes);
+    const TurnTimes times = TimeInTurns(
+        {{.run = [&] { rasterizer.Draw(mesh, camera, {}, false); }}, {.run = std::ref(copy)}},
+        settings.rounds, run.clock, run.monitor);
+    // 4 bytes read and 4 written a pixel.
+    const double copies = 8 * pixels / copy.Bytes();
+    return {legs_px, triangles, 1e-6 * times.Rate(0, double(triangles)),
+            1e-6 * times.Rate(0, pixels), (1 / copies) * times.Ratio(0, 1)};
 }
 
-ViewBench BenchView(const Scene& scene, Camera camera, const RasterBenchSettings& settings,
-                    const Clock& clock, Monitor& monitor) {
+doc::Section TrianglesSection(const RasterBenchSettings& settings, const RunContext& run) {
+    using doc::Better;
+    doc::Table table{
+        .key = "triangles",
+        .columns = {{.key = "legs_px", .title = "Legs", .unit = "px", .role = doc::Role::kName},
+                    {.key = "triangles", .title = "Triangles"},
+                    TimeColumn("mtriangles_per_s", "Triangles", "M/s", Better::kMore),
+                    TimeColumn("mpixels_per_s", "Pixels", "M/s", Better::kMore),
+                    TimeColumn("of_copy", "Over copying 4 bytes a pixel", "")}};
+    for (const double legs_px : settings.legs_px) {
+        table.Add(TriangleRow(legs_px, settings, run));
+    }
+    return {.id = "triangles",
+            .title = "Right triangles, depth alone, one thread",
+            .tables = {std::move(table)}};
+}
+
+std::vector<doc::Cell> ViewRow(const Scene& scene, Camera camera,
+                               const RasterBenchSettings& settings, const RunContext& run) {
     camera.width_px = settings.width_px;
     camera.height_px = settings.height_px;
     Rasterizer both, depth, whole;
     GBuffer g;
     const std::size_t pixels = std::size_t(camera.width_px) * std::size_t(camera.height_px);
-    Copy copy(8 * pixels);
-    const std::vector<double> seconds =
-        InTurns({[&] { both.Draw(scene.mesh, camera, {}); },
-                 [&] { depth.Draw(scene.mesh, camera, {}, false); },
-                 [&] { DrawGBuffer(whole, scene, camera, {}, g); }, std::ref(copy)},
-                settings.rounds, clock, monitor);
+    MemoryCopy copy(16 * pixels);  // Depth and triangle number, read and written.
+    const TurnTimes times =
+        TimeInTurns({{.run = [&] { both.Draw(scene.mesh, camera, {}); }},
+                     {.run = [&] { depth.Draw(scene.mesh, camera, {}, false); }},
+                     {.run = [&] { DrawGBuffer(whole, scene, camera, {}, g); }},
+                     {.run = std::ref(copy)}},
+                    settings.rounds, run.clock, run.monitor);
     const std::vector<std::uint32_t>& seen = g.triangle.Pixels();
-    return {.camera = camera.name,
-            .visibility_s = seconds[0],
-            .depth_s = seconds[1],
-            .gbuffer_s = seconds[2],
-            .copy_s = seconds[3],
-            .covered = 1 - double(std::count(seen.begin(), seen.end(), GBuffer::kSky)) /
-                               double(pixels)};
+    const auto sky = std::count(seen.begin(), seen.end(), GBuffer::kSky);
+    return {camera.name,
+            1e3 * times.Seconds(0),
+            1e3 * times.Seconds(1),
+            1e3 * times.Seconds(2),
+            times.Ratio(0, 3),
+            1 - double(sky) / double(pixels)};
+}
+
+doc::Section ViewsSection(const Scene& scene, const RasterBenchSettings& settings,
+                          const RunContext& run) {
+    doc::Table table{
+        .key = "views",
+        .columns = {{.key = "view", .title = "View", .role = doc::Role::kName},
+                    TimeColumn("visibility_ms", "Depth and triangle", "ms"),
+                    TimeColumn("depth_ms", "Depth", "ms"),
+                    TimeColumn("gbuffer_ms", "G-buffer", "ms"),
+                    TimeColumn("of_copy", "Over copying depth and triangle", "",
+                               doc::Better::kLess, "Of the time for depth and triangle."),
+                    {.key = "covered",
+                     .title = "Covered",
+                     .meaning = "Share of the pixels that show a surface."}}};
+    for (const Camera& camera : scene.cameras) {
+        table.Add(ViewRow(scene, camera, settings, run));
+    }
+    return {.id = "views",
+            .title = "Views of " + std::to_string(settings.width_px) + " x " +
+                     std::to_string(settings.height_px) + " pixels, all threads",
+            .tables = {std::move(table)}};
+}
+
+doc::Fact CopyFact(const std::string& key, const std::string& title, int rounds,
+                   const RunContext& run) {
+    MemoryCopy copy(kLargeCopyBytes);
+    const TurnTimes times =
+        TimeInTurns({{.run = std::ref(copy)}}, rounds, run.clock, run.monitor);
+    return {TimeColumn(key, title, "GB/s", doc::Better::kMore),
+            1e-9 * times.Rate(0, copy.Bytes())};
 }
 
 }  // namespace
 
-RasterBench BenchRaster(const Scene& scene, const RasterBenchSettings& settings,
-                        const Clock& clock, Monitor& monitor) {
-    RasterBench bench;
-    bench.scene = scene.name;
-    for (const auto& quad : scene.mesh.quads) bench.triangles += quad[2] == quad[3] ? 1 : 2;
-    bench.vertices = std::int64_t(scene.mesh.vertices_m.size());
-    bench.width_px = settings.width_px;
-    bench.height_px = settings.height_px;
-    bench.threads = ThreadCount();
-    bench.rounds = settings.rounds;
-    for (const Camera& camera : scene.cameras) {
-        bench.views.push_back(BenchView(scene, camera, settings, clock, monitor));
-    }
-    Copy copy(kCopyBytes);
-    bench.copy_bytes_per_second =
-        copy.Bytes() / InTurns({std::ref(copy)}, settings.rounds, clock, monitor)[0];
+doc::Document BenchRaster(const Scene& scene, const RasterBenchSettings& settings,
+                          const RunContext& run) {
+    std::int64_t triangles = 0;
+    for (const auto& quad : scene.mesh.quads) triangles += quad[2] == quad[3] ? 1 : 2;
+    doc::Document document{.kind = "bench_raster",
+                           .title = "Speed of the rasterizer: " + scene.name,
+                           .subtitle = std::to_string(triangles) + " triangles, " +
+                                       std::to_string(scene.mesh.vertices_m.size()) +
+                                       " vertices",
+                           .provenance = doc::ProvenanceOf(run)};
+    const int threads = ThreadCount();
+    doc::Section views = ViewsSection(scene, settings, run);
+    views.facts = BenchFacts(threads, settings.rounds);
+    views.facts.push_back(
+        CopyFact("copy_gb_per_s", "Copying memory, all threads", settings.rounds, run));
     SetThreadCount(1);
-    for (const double legs_px : settings.legs_px) {
-        bench.sizes.push_back(BenchSize(legs_px, settings, clock, monitor));
-    }
-    bench.copy_one_thread_bytes_per_second =
-        copy.Bytes() / InTurns({std::ref(copy)}, settings.rounds, clock, monitor)[0];
-    SetThreadCount(bench.threads);
-    return bench;
+    doc::Section sizes = TrianglesSection(settings, run);
+    sizes.facts.push_back(CopyFact("copy_one_thread_gb_per_s", "Copying memory, one thread",
+                                   settings.rounds, run));
+    SetThreadCount(threads);
+    document.sections = {std::move(views), std::move(sizes)};
+    return document;
 }
 
 }  // namespace plumb

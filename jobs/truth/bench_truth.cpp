@@ -9,7 +9,9 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "core/sobol.h"
+#include "core/time_in_turns.h"
 #include "core/warp.h"
+#include "jobs/bench_facts.h"
 #include "truth/embree_caster.h"
 #include "truth/escape_walk.h"
 #include "truth/leave_surface.h"
@@ -22,11 +24,6 @@ namespace {
 constexpr NetSampling kSpeedSampling{.replicates = 8, .points = 8};
 constexpr int kRays = 64;  // Of both counts above.
 constexpr std::int64_t kReceiversPerChunk = 16;
-
-double Median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 // The rays of CountOpenSky for V of points, made again: nothing is taken from its insides.
 std::vector<Ray> RaysOfV(const Mesh& mesh, std::span<const Receiver> receivers) {
@@ -51,41 +48,34 @@ std::vector<Ray> RaysOfV(const Mesh& mesh, std::span<const Receiver> receivers) 
 class SpeedBench {
   public:
     SpeedBench(const EmbreeCaster& caster, const Mesh& mesh,
-               std::span<const Receiver> receivers, const Clock& clock)
+               std::span<const Receiver> receivers, const RunContext& run)
         : caster_(caster),
           mesh_(mesh),
           receivers_(receivers),
-          clock_(clock),
+          run_(run),
           bare_(caster, RaysOfV(mesh, receivers)) {}
 
-    TruthSpeed Run(int threads, int rounds, Monitor& monitor) {
+    std::vector<doc::Cell> Run(int threads, int rounds) {
         SetThreadCount(threads);
-        std::vector<double> ours_s, stream_s, single_s, share;
-        for (int round = 0; round <= rounds; ++round) {
-            const double ours = Seconds([&] { open_ = Measure(monitor); });
-            bare_.Refill();
-            const double stream = Seconds([&] {
-                met_ = Loop([&](std::size_t begin, std::size_t end) {
-                    return bare_.AnyStream(begin, end, kRays);
-                });
-            });
-            const double single = Seconds([&] {
-                Loop([&](std::size_t begin, std::size_t end) { return bare_.Any(begin, end); });
-            });
-            if (round == 0) continue;
-            ours_s.push_back(ours);
-            stream_s.push_back(stream);
-            single_s.push_back(single);
-            share.push_back(stream / ours);
-        }
+        const TurnTimes times =
+            TimeInTurns({{.run = [&] { open_ = Measure(); }},
+                         {.run =
+                              [&] {
+                                  met_ = Loop([&](std::size_t begin, std::size_t end) {
+                                      return bare_.AnyStream(begin, end, kRays);
+                                  });
+                              },
+                          .prepare = [&] { bare_.Refill(); }},
+                         {.run =
+                              [&] {
+                                  Loop([&](std::size_t begin, std::size_t end) {
+                                      return bare_.Any(begin, end);
+                                  });
+                              }}},
+                        rounds, run_.clock, run_.monitor);
         const double n = double(receivers_.size()) * kRays;
-        return {.threads = threads,
-                .rays_per_second = n / Median(ours_s),
-                .bare_stream_per_second = n / Median(stream_s),
-                .bare_single_per_second = n / Median(single_s),
-                .share = Median(share),
-                .share_low = *std::ranges::min_element(share),
-                .share_high = *std::ranges::max_element(share)};
+        return {threads, 1e-6 * times.Rate(0, n), 1e-6 * times.Rate(1, n),
+                1e-6 * times.Rate(2, n), times.Ratio(1, 0)};
     }
 
     std::int64_t DifferingRays() const {
@@ -93,16 +83,9 @@ class SpeedBench {
     }
 
   private:
-    template <class F>
-    double Seconds(const F& work) const {
-        const double begin_s = clock_();
-        work();
-        return clock_() - begin_s;
-    }
-
-    std::int64_t Measure(Monitor& monitor) const {
-        const OpenCounts counts =
-            CountOpenSky(caster_, mesh_, receivers_, {.sampling = kSpeedSampling}, monitor);
+    std::int64_t Measure() const {
+        const OpenCounts counts = CountOpenSky(caster_, mesh_, receivers_,
+                                               {.sampling = kSpeedSampling}, run_.monitor);
         return std::accumulate(counts.open.begin(), counts.open.end(), std::int64_t{0});
     }
 
@@ -121,7 +104,7 @@ class SpeedBench {
     const EmbreeCaster& caster_;
     const Mesh& mesh_;
     std::span<const Receiver> receivers_;
-    const Clock& clock_;
+    const RunContext& run_;
     EmbreeBareLoop bare_;
     std::int64_t open_ = 0, met_ = 0;
 };
@@ -148,16 +131,16 @@ Mesh NoisyField(int cells) {
     return mesh;
 }
 
-TruthFurnace RunFurnace(std::int64_t paths, const Clock& clock, Monitor& monitor) {
+// Walks over a closed, noisy height field at albedo 1: each should come back.
+doc::Section RunFurnace(std::int64_t wanted, Monitor& monitor) {
     constexpr int kCells = 1024, kBounces = 2000;
     constexpr int kReceivers = 250;
     constexpr NetSampling kSampling{.replicates = 8, .points = 512};
     constexpr std::int64_t kBatch = kReceivers * 8 * 512;
     const Mesh mesh = NoisyField(kCells);
     const EmbreeCaster caster(mesh);
-    TruthFurnace furnace{.cells = kCells, .bounces = kBounces};
-    const double begin_s = clock();
-    for (std::uint64_t batch = 0; furnace.paths < paths; ++batch) {
+    std::int64_t paths = 0, lost = 0, rescued = 0, under_way = 0;
+    for (std::uint64_t batch = 0; paths < wanted; ++batch) {
         std::vector<Receiver> receivers;
         for (std::uint64_t i = 0; i < kReceivers; ++i) {
             const std::uint64_t bits = RandomBits(10, i, batch, 0);
@@ -169,17 +152,40 @@ TruthFurnace RunFurnace(std::int64_t paths, const Clock& clock, Monitor& monitor
             caster, mesh, receivers,
             {.sampling = sampling, .bounces = kBounces, .sky = Sky::kAbove, .two_sided = false},
             monitor);
-        furnace.paths += kBatch;
-        furnace.lost += walks.lost.All();
-        furnace.rescued += walks.lost.rescued;
+        paths += kBatch;
+        lost += walks.lost.All();
+        rescued += walks.lost.rescued;
         for (std::int64_t i = 0; i < walks.Receivers(); ++i) {
             for (int r = 0; r < walks.Replicates(); ++r) {
-                furnace.under_way += walks.Row(i, r)[kBounces + 1];
+                under_way += walks.Row(i, r)[kBounces + 1];
             }
         }
     }
-    furnace.seconds = clock() - begin_s;
-    return furnace;
+    using doc::Better;
+    return {.id = "furnace",
+            .title = "Furnace: a closed, noisy field at albedo 1",
+            .sentences = {"Each path should come back: " + std::to_string(kCells) + " x " +
+                          std::to_string(kCells) + " cells, up to " + std::to_string(kBounces) +
+                          " bounces."},
+            .facts = {{{.key = "paths", .title = "Paths"}, paths},
+                      {{.key = "deficit",
+                        .title = "Deficit, a path",
+                        .digits = 2,
+                        .better = Better::kLess},
+                       double(lost) / double(paths)},
+                      {{.key = "lost",
+                        .title = "Lost",
+                        .better = Better::kLess,
+                        .meaning = "NaN, met from behind, or gone where no sky is."},
+                       lost},
+                      {{.key = "rescued",
+                        .title = "Rescued",
+                        .meaning = "Got behind a surface, noticed, and started again."},
+                       rescued},
+                      {{.key = "under_way",
+                        .title = "Under way",
+                        .meaning = "After the last bounce followed; not lost."},
+                       under_way}}};
 }
 
 // Open directions among the first n independent ones, for each n of `rays`.
@@ -220,14 +226,19 @@ double Slope(std::span<const double> x, std::span<const double> y) {
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-TruthConvergence StudyTruthConvergence(const EmbreeCaster& caster, const Mesh& mesh,
-                                       std::span<const Receiver> receivers,
-                                       std::int64_t reference_rays, Monitor& monitor) {
+// RMS error of V against a reference, by samples of a receiver.
+doc::Section StudyTruthConvergence(const EmbreeCaster& caster, const Mesh& mesh,
+                                   std::span<const Receiver> receivers,
+                                   std::int64_t reference_rays, Monitor& monitor) {
     constexpr int kReplicates = 8;
     const std::vector<std::int64_t> rays = {16, 64, 256, 1024, 4096};
-    TruthConvergence study{.receivers = std::int64_t(receivers.size()),
-                           .reference_rays = reference_rays,
-                           .points = {}};
+    using doc::Better, doc::Role;
+    doc::Table table{
+        .key = "convergence",
+        .columns = {
+            {.key = "rays", .title = "Rays", .role = Role::kName},
+            {.key = "rms_nets", .title = "Owen nets", .better = Better::kLess},
+            {.key = "rms_independent", .title = "Independent", .better = Better::kLess}}};
     // Other seeds than those below: the reference must not share their errors.
     const OpenCounts reference = CountOpenSky(
         caster, mesh, receivers,
@@ -257,17 +268,50 @@ TruthConvergence StudyTruthConvergence(const EmbreeCaster& caster, const Mesh& m
         n.push_back(double(rays[k]));
         nets.push_back(std::sqrt(sum / estimates));
         independent.push_back(std::sqrt(squares[k] / estimates));
-        study.points.push_back({rays[k], nets.back(), independent.back()});
+        table.Add({rays[k], nets.back(), independent.back()});
     }
-    study.slope_nets = Slope(n, nets);
-    study.slope_independent = Slope(n, independent);
-    return study;
+    return {.id = "convergence",
+            .title = "RMS error of V against rays",
+            .sentences = {std::to_string(receivers.size()) + " pixels, against " +
+                          std::to_string(reference_rays) + " rays each."},
+            .facts = {{{.key = "slope_nets",
+                        .title = "Slope, Owen nets",
+                        .better = Better::kLess,
+                        .meaning = "Of log error over log rays."},
+                       Slope(n, nets)},
+                      {{.key = "slope_independent",
+                        .title = "Slope, independent samples",
+                        .better = Better::kLess,
+                        .meaning = "Of log error over log rays; -1/2 is expected."},
+                       Slope(n, independent)}},
+            .tables = {std::move(table)}};
+}
+
+doc::Section SpeedSection(SpeedBench& speed, const TruthBenchSettings& settings) {
+    using doc::Better;
+    doc::Table table{
+        .key = "speed",
+        .columns = {{.key = "threads", .title = "Threads", .role = doc::Role::kName},
+                    TimeColumn("mrays_per_s", "V, all of it", "Mrays/s", Better::kMore,
+                               "Samples, rays, counts."),
+                    TimeColumn("bare_stream_mrays_per_s", "Bare stream", "Mrays/s",
+                               Better::kMore, "rtcOccluded1M, as many rays at once."),
+                    TimeColumn("bare_single_mrays_per_s", "Bare, single", "Mrays/s",
+                               Better::kMore, "rtcOccluded1, one after the other."),
+                    TimeColumn("share", "Share of the stream", "", Better::kMore,
+                               "Of the bare stream's speed, round by round.")}};
+    for (const int threads : settings.threads) {
+        table.Add(speed.Run(threads, settings.rounds));
+    }
+    return {.id = "speed",
+            .title = "V of a view beside nothing but Embree's own calls over the same rays",
+            .tables = {std::move(table)}};
 }
 
 }  // namespace
 
-TruthBench BenchTruth(const LoadedScene& loaded, const TruthBenchSettings& settings,
-                      const Clock& clock, Monitor& monitor) {
+doc::Document BenchTruth(const LoadedScene& loaded, const TruthBenchSettings& settings,
+                         const RunContext& run) {
     const Scene& scene = loaded.scene;
     Camera camera = CameraNamed(scene, settings.camera);
     camera.width_px = settings.width_px;
@@ -286,26 +330,29 @@ TruthBench BenchTruth(const LoadedScene& loaded, const TruthBenchSettings& setti
     }
     if (receivers.empty()) throw Error(scene.name + ": no pixel shows a surface, must");
 
-    TruthBench bench{.scene = scene.name,
-                     .camera = camera.name,
-                     .width_px = camera.width_px,
-                     .height_px = camera.height_px,
-                     .rays_per_pixel = kRays,
-                     .rounds = settings.rounds,
-                     .triangles = caster.Counts().triangles,
-                     .receivers = std::int64_t(receivers.size()),
-                     .speeds = {},
-                     .furnace = {},
-                     .convergence = {}};
+    doc::Document document{.kind = "bench_truth",
+                           .title = "Speed and certainty of the path tracer: " + scene.name,
+                           .subtitle = "view " + camera.name + ", " +
+                                       std::to_string(camera.width_px) + " x " +
+                                       std::to_string(camera.height_px) + " pixels, " +
+                                       std::to_string(caster.Counts().triangles) +
+                                       " triangles; V of " + std::to_string(receivers.size()) +
+                                       " pixels, " + std::to_string(kRays) + " rays each",
+                           .provenance = doc::ProvenanceOf(run)};
+    document.provenance.inputs = {{scene.name, loaded.digest}};
     const int threads = ThreadCount();
-    SpeedBench speed(caster, scene.mesh, receivers, clock);
-    for (const int count : settings.threads) {
-        bench.speeds.push_back(speed.Run(count, settings.rounds, monitor));
-    }
-    bench.differing_rays = speed.DifferingRays();
+    SpeedBench speed(caster, scene.mesh, receivers, run);
+    document.sections = {SpeedSection(speed, settings)};
+    document.sections[0].facts = BenchFacts(threads, settings.rounds);
+    document.sections[0].facts.push_back(
+        {{.key = "pixels", .title = "Pixels"}, std::int64_t(receivers.size())});
+    document.sections[0].facts.push_back({{.key = "differing_rays",
+                                           .title = "Rays that the two see differently",
+                                           .better = doc::Better::kLess},
+                                          speed.DifferingRays()});
     SetThreadCount(threads);
     if (settings.furnace_paths > 0) {
-        bench.furnace = RunFurnace(settings.furnace_paths, clock, monitor);
+        document.sections.push_back(RunFurnace(settings.furnace_paths, run.monitor));
     }
 
     constexpr std::size_t kStudied = 96;
@@ -313,9 +360,9 @@ TruthBench BenchTruth(const LoadedScene& loaded, const TruthBenchSettings& setti
     for (std::size_t k = 0; k < std::min(kStudied, receivers.size()); ++k) {
         studied.push_back(receivers[k * receivers.size() / kStudied]);
     }
-    bench.convergence =
-        StudyTruthConvergence(caster, scene.mesh, studied, settings.reference_rays, monitor);
-    return bench;
+    document.sections.push_back(StudyTruthConvergence(caster, scene.mesh, studied,
+                                                      settings.reference_rays, run.monitor));
+    return document;
 }
 
 }  // namespace plumb

@@ -1,12 +1,12 @@
-// The speed and the certainty of the path tracer, in one run.
+// The speed and the certainty of the path tracer, in one run: beside this machine's own Embree, in
+// a furnace, and against independent sampling.
 #pragma once
 
 #include <vector>
 
-#include "core/monitor.h"
-#include "jobs/light/simulate_surface.h"
+#include "core/run_context.h"
 #include "jobs/truth/load_scene.h"
-#include "reports/truth_bench_report.h"
+#include "reports/document.h"
 
 namespace plumb {
 
@@ -20,7 +20,7 @@ struct TruthBenchSettings {
     std::int64_t reference_rays = 131'072;   ///< A receiver. A power of two >= 64.
 };
 
-TruthBench BenchTruth(const LoadedScene& loaded, const TruthBenchSettings& settings,
-                      const Clock& clock, Monitor& monitor = SilentMonitor());
+doc::Document BenchTruth(const LoadedScene& loaded, const TruthBenchSettings& settings,
+                         const RunContext& run);
 
 }  // namespace plumb

@@ -88,8 +88,9 @@ expect 0 '' "$plumb" fit --histogram pi.csv --open-ground pi --quiet
 # The rasterizer's sizes are the program's own, so this takes a few seconds.
 refused 'must be one of' "$plumb" bench raster make:nothing
 refused 'not in range 1 to 16384' "$plumb" bench raster --width 0
-expect 0 '' "$plumb" bench raster make:cornell_box --width 64 --height 48 --rounds 1 --out bench --quiet
-left bench bench_raster.json
+refused 'not in range 5 to 1000' "$plumb" bench raster --rounds 4
+expect 0 '' "$plumb" bench raster make:cornell_box --width 64 --height 48 --rounds 5 --out bench --quiet
+left bench report.html report.json report.csv
 
 [ $failed -eq 0 ] && echo "all as expected"
 exit $failed

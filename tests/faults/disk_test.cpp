@@ -80,7 +80,7 @@ constexpr const char* kTalkers[] = {
     "render wedge --width 16 --height 16 --technique gtao-paper",
     "report wedge --width 64 --height 36 --spp 16 --rounds 1 --no-studies --technique gtao "
     "--json",
-    "bench raster wedge --width 32 --height 32 --rounds 1 --json",
+    "bench raster wedge --width 32 --height 32 --rounds 5 --json",
 };
 
 INSTANTIATE_TEST_SUITE_P(Every, Talkers, testing::ValuesIn(kTalkers));

@@ -18,7 +18,7 @@ constexpr const char* kHungry[] = {
     "truth wedge --facets --spp 16",
     "render atrium --technique gtao --width 960 --height 540",
     "report wedge --width 480 --height 270 --spp 16 --rounds 1 --no-studies --technique gtao-paper",
-    "bench raster atrium --rounds 1",
+    "bench raster atrium --rounds 5",
 };
 
 class Memory : public TempFolder, public testing::WithParamInterface<const char*> {};

@@ -11,6 +11,7 @@
 #include "jobs/light/convergence_study.h"
 #include "jobs/light/fit_constants.h"
 #include "reports/text.h"
+#include "tests/jobs/stepping_clock.h"
 #include "tests/reports/page_reader.h"
 
 namespace plumb {
@@ -323,26 +324,23 @@ TEST_F(FitEndToEnd, TheShaderHeaderHasTheConstantsOfTheTable) {
     EXPECT_EQ(text.find("least error on maps that it has not seen"), std::string::npos);
 }
 
-// A clock that says what each run takes: two looks a run, 3 runs of each count, of which the
-// second longest counts, not the mean.
-TEST(ConvergenceStudy, TakesTheMedianOfTheRuns) {
+// Expected, by hand: three counts in turns, three rounds after one that warms up: count t of round r
+// takes 3 r + t + 1 seconds.
+TEST(ConvergenceStudy, TakesTheMedianOfRoundsInTurns) {
     const HeightField field = LoadSurface("make:bricks:8").field;
-    double now_s = 0;
-    int looks = 0;
-    const auto clock = [&] {
-        const double lasts_s[] = {5, 1, 9};
-        if (looks % 2 == 1) now_s += lasts_s[looks / 2 % 3];
-        ++looks;
-        return now_s;
-    };
     ConvergenceSettings settings;
     settings.slices = {4, 8};
     settings.rays = {16};
     settings.reference_slices = 16;
-    const Convergence study = StudyConvergence("bricks", field, settings, clock);
+    settings.rounds = 3;
+    const Convergence study = StudyConvergence("bricks", field, settings, SteppingClock());
     ASSERT_EQ(study.points.size(), 3u);
-    for (const ConvergencePoint& point : study.points) EXPECT_EQ(point.seconds, 5);
-    EXPECT_EQ(looks, 2 * 3 * 3);
+    for (int t = 0; t < 3; ++t) {
+        const Measured& seconds = study.points[std::size_t(t)].seconds;
+        EXPECT_EQ(seconds.value, 7 + t);
+        EXPECT_EQ(seconds.interval.low, 4 + t);
+        EXPECT_EQ(seconds.interval.high, 10 + t);
+    }
     EXPECT_EQ(study.facets, field.Facets());
 }
 
@@ -352,7 +350,7 @@ TEST(ConvergenceStudy, TakesTheMedianOfTheRuns) {
 TEST(ConvergenceStudy, ErrorsAreAgainstABetterReference) {
     const HeightField field = LoadSurface("make:cobbles:16").field;
     ConvergenceSettings settings;
-    settings.runs = 1;
+    settings.rounds = 1;
     const Convergence study = StudyConvergence("cobbles", field, settings, [] { return 0.0; });
     ASSERT_EQ(study.points.size(), 7u);
     SimulateSettings best;

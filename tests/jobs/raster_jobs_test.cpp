@@ -1,49 +1,14 @@
-// The jobs about the rasterizer: what they count, and what they write.
+// The study of depth precision: what it counts, and what it writes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "core/parallel.h"
-#include "jobs/screen_space/bench_raster.h"
 #include "jobs/screen_space/z_precision.h"
 #include "scenes/simple.h"
 
 namespace plumb {
 namespace {
-
-// Expected: with a clock that goes on by 1 s at each look every time is 1 s, so a rate is the
-// count itself.
-TEST(BenchRaster, CountsWhatItTimes) {
-    double now_s = 0;
-    const Scene scene = BoxOnPlane();
-    const int threads = ThreadCount();
-    const RasterBench bench = BenchRaster(
-        scene, {.width_px = 64, .height_px = 48, .rounds = 3, .legs_px = {100, 300}},
-        [&] { return now_s += 1; });
-    EXPECT_EQ(ThreadCount(), threads);
-    EXPECT_EQ(bench.triangles, 812);  // docs/scenes.md
-    ASSERT_EQ(bench.views.size(), 1u);
-    EXPECT_EQ(bench.views[0].camera, "main");
-    EXPECT_EQ(bench.views[0].visibility_s, 1);
-    EXPECT_GT(bench.views[0].covered, 0.5);
-    EXPECT_LT(bench.views[0].covered, 1);
-    ASSERT_EQ(bench.sizes.size(), 2u);
-    EXPECT_EQ(bench.sizes[0].triangles, 20000);  // 1e8 pixels of 5000 a triangle
-    EXPECT_EQ(bench.sizes[0].triangles_per_second, 20000);
-    EXPECT_EQ(bench.sizes[0].pixels_per_second, 1e8);
-    EXPECT_EQ(bench.sizes[1].triangles, 2222);
-    // 1 s for 4 bytes read and 4 written a pixel, beside 1 s for 2^28 bytes.
-    EXPECT_NEAR(bench.sizes[0].copy_ratio, 0x1p28 / 8e8, 1e-12);
-    const auto json = nlohmann::json::parse(ToJsonText(bench));
-    EXPECT_EQ(json["sizes"][1]["legs_px"], 300);
-    EXPECT_EQ(json["views"][0]["camera"], "main");
-    std::ostringstream table;
-    WriteTable(table, bench);
-    EXPECT_NE(table.str().find("box_on_plane, 812 triangles"), std::string::npos);
-}
 
 TEST(StudyZPrecision, HasEveryWayAndEveryView) {
     ZPrecisionSettings settings;

@@ -190,15 +190,16 @@ FitReport MakeFitReport() {
     deeper.amplitude_m = 0.3;
     deeper.amplitude_of_width = 0.32;
     report.amplitudes = AmplitudeSweep{.map = kHostileName, .points = {point, deeper}};
-    report.convergence = Convergence{.map = "plain",
-                                     .reference = "slices, 2048 a facet",
-                                     .facets = 64,
-                                     .threads = 2,
-                                     .machine_rays_per_second = 0,
-                                     .points = {{"rays", 256, 1, 0.02, 0.017, 0.1},
-                                                {"rays", 1024, 4, 0.01, 0.009, 0.05},
-                                                {"slices", 8, 0.25, 0.02, 0.018, 0.12},
-                                                {"slices", 32, 1, 0.005, 0.004, 0.03}}};
+    report.convergence =
+        Convergence{.map = "plain",
+                    .reference = "slices, 2048 a facet",
+                    .facets = 64,
+                    .threads = 2,
+                    .machine_rays_per_second = 0,
+                    .points = {{"rays", 256, {.value = 1}, 0.02, 0.017, 0.1},
+                               {"rays", 1024, {.value = 4}, 0.01, 0.009, 0.05},
+                               {"slices", 8, {.value = 0.25}, 0.02, 0.018, 0.12},
+                               {"slices", 32, {.value = 1}, 0.005, 0.004, 0.03}}};
     return report;
 }
 

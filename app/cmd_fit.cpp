@@ -66,6 +66,7 @@ void Run(const CLI::App& command, const Options& o) {
         WriteTable(std::cout, result.report);
         std::cout << "\nReport: " << page.string() << "\n";
     }
+    for (const SurfaceReport& map : result.report.maps) RequireFurnace(map);
 }
 
 void Add(CLI::App& program) {

@@ -39,6 +39,7 @@ void Run(const CLI::App& command, const Options& o) {
         WriteTable(std::cout, result.report);
         std::cout << "\nReport: " << result.page.string() << "\n";
     }
+    RequireFurnace(result.report.surface);
 }
 
 void Add(CLI::App& program) {

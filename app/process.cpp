@@ -72,6 +72,9 @@ int StatusOfException() {
     } catch (const Error& error) {
         Say(error.what());
         return 2;
+    } catch (const CheckFailed& error) {
+        Say(error.what());
+        return 1;
     } catch (const MachineError& error) {
         Say(error.what());
         return 3;

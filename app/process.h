@@ -1,6 +1,8 @@
 // The program as a process among others: what the system may do to it, and how it ends.
 #pragma once
 
+#include <stdexcept>
+
 namespace plumb::app {
 
 /// At the begin of main(). A file that grows beyond `ulimit -f` and a reader of a pipe that went
@@ -13,6 +15,12 @@ void PrepareProcess();
 /// Writes out what is left of standard output. Throws MachineError if it did not all go: a full
 /// disk, a closed stream.
 void FlushOutput();
+
+/// Everything ran and was written, and a check of the results failed. Exit status 1.
+class CheckFailed : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
 
 /// The exit status of the exception that is being handled, after its message on standard error.
 int StatusOfException();

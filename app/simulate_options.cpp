@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/process.h"
 #include "core/error.h"
 
 namespace plumb::app {
@@ -69,6 +70,11 @@ SimulateSettings SettingsOf(const SimulateOptions& o, const Common& common) {
     Validate(settings.rays);
     Validate(SeriesOptions{.bounces = settings.bounces, .albedos = settings.albedos});
     return settings;
+}
+
+void RequireFurnace(const SurfaceReport& map) {
+    const std::string fault = FurnaceFault(map.name, map.figures.max_furnace_error);
+    if (!fault.empty()) throw CheckFailed(fault);
 }
 
 SurfaceOptions SurfaceOptionsOf(const CLI::App& command, const SimulateOptions& o) {

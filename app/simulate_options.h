@@ -24,4 +24,7 @@ void AddSimulateOptions(CLI::App& command, SimulateOptions& options);
 SimulateSettings SettingsOf(const SimulateOptions& options, const Common& common);
 SurfaceOptions SurfaceOptionsOf(const CLI::App& command, const SimulateOptions& options);
 
+/// Throws CheckFailed if a map's furnace is not white.
+void RequireFurnace(const SurfaceReport& map);
+
 }  // namespace plumb::app

@@ -16,11 +16,12 @@ namespace {
 class RayRow {
   public:
     RayRow(const HeightField& field, const FacetPieces& pieces, const WalkGrid& grid,
-           const RayOptions& options)
+           const RayOptions& options, const Monitor& monitor)
         : field_(field),
           pieces_(pieces),
           grid_(grid),
           options_(options),
+          monitor_(monitor),
           far_m_(FarDistanceM(field)) {}
 
     FacetResult Make(std::int64_t piece, LinkBlock& block) {
@@ -32,6 +33,7 @@ class RayRow {
         row_.clear();
         double cosine_all = 0, solid_all = 0, solid_open = 0, cut_short = 0;
         for (int k = 0; k < options_.rays; ++k) {
+            if (monitor_.Cancelled()) throw Interrupted();
             const Vec3 local = RayDirection(options_, piece, std::uint32_t(k));
             const Vec3 d = frame.ToWorld(local);
             const Vec3 x =
@@ -67,6 +69,7 @@ class RayRow {
     const FacetPieces& pieces_;
     const WalkGrid& grid_;
     const RayOptions& options_;
+    const Monitor& monitor_;
     double far_m_;
     LinkRow row_;
 };
@@ -99,7 +102,7 @@ Links LinksByRays(const HeightField& field, const FacetPieces& pieces,
     Validate(options);
     const WalkGrid grid(field);
     return MakeLinks(
-        pieces.Count(), [&] { return RayRow(field, pieces, grid, options); }, monitor);
+        pieces.Count(), [&] { return RayRow(field, pieces, grid, options, monitor); }, monitor);
 }
 
 }  // namespace plumb

@@ -70,11 +70,12 @@ void AppendDrawnTogether(const std::vector<Stretch>& stretches, int most, double
 class SliceRow {
   public:
     SliceRow(const HeightField& field, const FacetPieces& pieces, const WalkGrid& grid,
-             const SliceOptions& options)
+             const SliceOptions& options, const Monitor& monitor)
         : field_(field),
           pieces_(pieces),
           grid_(grid),
           options_(options),
+          monitor_(monitor),
           far_m_(FarM(field, options)),
           z_rounding_m_(kRoundings *
                         std::max(std::abs(field.LowestM()), std::abs(field.HighestM()))),
@@ -92,6 +93,9 @@ class SliceRow {
         stretches_.clear();
         double cosine_all = 0, solid_all = 0, solid_open = 0, cut_short = 0;
         for (int k = 0; k < slices; ++k) {
+            // A slice through a forest of towers can be long, a block of rows longer than anyone
+            // waits for.
+            if (monitor_.Cancelled()) throw Interrupted();
             const double phi = 2 * kPi * (k + turn) / slices;
             const Slice slice = Look(f, facet, piece, k, std::cos(phi), std::sin(phi));
             cosine_all += slice.cosine_all;
@@ -209,6 +213,7 @@ class SliceRow {
     const FacetPieces& pieces_;
     const WalkGrid& grid_;
     const SliceOptions& options_;
+    const Monitor& monitor_;
     double far_m_, z_rounding_m_, xy_rounding_m_;
     LinkRow row_;
     std::vector<Stretch> stretches_, one_;  // Of all slices of a facet; of one of them.
@@ -243,7 +248,8 @@ Links LinksBySlices(const HeightField& field, const FacetPieces& pieces,
     Validate(options);
     const WalkGrid grid(field);
     return MakeLinks(
-        pieces.Count(), [&] { return SliceRow(field, pieces, grid, options); }, monitor);
+        pieces.Count(), [&] { return SliceRow(field, pieces, grid, options, monitor); },
+        monitor);
 }
 
 }  // namespace plumb

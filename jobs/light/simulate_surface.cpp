@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/conventions.h"
+#include "core/error.h"
 #include "formfactor/histogram.h"
 #include "formfactor/total.h"
 #include "heightfield/facet.h"
@@ -74,6 +75,12 @@ std::vector<double> ScoredAlbedos() {
     return albedos;
 }
 
+std::string FurnaceFault(const std::string& map, double max_furnace_error) {
+    if (max_furnace_error <= kFurnaceLimit) return "";
+    return MustBe(map + ": furnace error", max_furnace_error,
+                  "<= 0.001: light is lost or made, none of these figures can be trusted");
+}
+
 Sampling SamplingOf(const SimulateSettings& settings) {
     if (settings.method == LinkMethod::kRays) {
         return {"rays", settings.rays.rays, settings.rays.seed};
@@ -141,7 +148,11 @@ SurfaceLight SimulateSurface(const std::string& name, const HeightField& field,
         const std::vector<double> white(std::size_t(links.Facets()), 1.0);
         const TotalLight furnace = SolveTotal(links, white, 1e-10, monitor);
         double worst = 0;
-        for (const double E : furnace.E) worst = std::max(worst, std::abs(E - 1));
+        for (const double E : furnace.E) {
+            const double off = std::abs(E - 1);
+            if (!(off <= worst)) worst = off;
+            if (std::isnan(worst)) break;
+        }
         light.figures.max_furnace_error = worst;
         watch.Lap("furnace");
     }

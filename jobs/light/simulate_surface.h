@@ -53,6 +53,13 @@ struct SimulateSettings {
 /// "slices" or "rays", how many and which seed, as reports state them.
 Sampling SamplingOf(const SimulateSettings& settings);
 
+/// The furnace error of a simulation whose rows close is rounding and what the solver leaves,
+/// 1e-6 or less; above this nothing that it says can be trusted.
+inline constexpr double kFurnaceLimit = 1e-3;
+
+/// Empty if a furnace error is within the limit; otherwise, and for NaN, the sentence that says so.
+std::string FurnaceFault(const std::string& map, double max_furnace_error);
+
 /// All links between the pieces, by the method of the settings.
 Links MakeLinksOf(const HeightField& field, const FacetPieces& pieces,
                   const SimulateSettings& settings, Monitor& monitor = SilentMonitor());

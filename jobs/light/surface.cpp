@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::string_view kMake = "make:";
 constexpr int kMadeTexels = 256;
+constexpr double kLeastSpacingM = 1e-30, kMostReliefTexels = 1e6;
 constexpr std::array kBoundaries = {std::pair{"wrap", Boundary::kWrap},
                                     std::pair{"mirror", Boundary::kMirror},
                                     std::pair{"open", Boundary::kOpen}};
@@ -99,10 +101,39 @@ Surface Read(const std::string& name, const SurfaceOptions& o) {
     }
 }
 
+// Heights and spacings that light can be told from: beyond, rounding hides one facet from the
+// next, and lines of sight never end.
+void RequireSaneRelief(const std::string& name, const HeightField& field,
+                       const SurfaceOptions& o) {
+    const auto refuse = [&](const char* what, double value, const char* rule) {
+        std::ostringstream said;
+        const auto say = [&said](const char* flag, const std::optional<double>& given) {
+            if (given)
+                said << (said.str().empty() ? "; given: " : ", ") << flag << " " << *given;
+        };
+        say("--spacing-m", o.spacing_m);
+        say("--amplitude-m", o.amplitude_m);
+        say("--amplitude-of-width", o.amplitude_of_width);
+        throw Error(MustBe(name + ": " + what, value, rule) + said.str());
+    };
+    for (const double spacing_m : {field.SpacingXM(), field.SpacingYM()}) {
+        if (spacing_m < kLeastSpacingM || spacing_m > 1 / kLeastSpacingM) {
+            refuse("spacing in metres", spacing_m, "in [1e-30, 1e30]");
+        }
+    }
+    const double relief_texels =
+        (field.HighestM() - field.LowestM()) / std::min(field.SpacingXM(), field.SpacingYM());
+    if (!(relief_texels <= kMostReliefTexels)) {
+        refuse("relief over spacing", relief_texels,
+               "<= 1e6 (is there a height that stands for no data?)");
+    }
+}
+
 }  // namespace
 
 Surface LoadSurface(const std::string& name, const SurfaceOptions& options) {
     Surface surface = name.starts_with(kMake) ? Made(name, options) : Read(name, options);
+    RequireSaneRelief(name, surface.field, options);
     if (options.smooth_px > 0) {
         const double relief_m = surface.field.HighestM() - surface.field.LowestM();
         if (relief_m > 0) {

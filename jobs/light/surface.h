@@ -27,6 +27,9 @@ struct SurfaceOptions {
     double smooth_tolerance = 0.2;  ///< Its tolerance as a share of the relief. (0, 1]
 };
 
+/// Spacings must lie in [1e-30, 1e30] m, the relief within 1e6 of them: a height of -3.4e38 stands
+/// for no data, not for a hole.
+///
 /// The surface that `name` means: the path of an image with heights (docs/height_maps.md), or
 /// "make:KIND[:SIZE[:SEED]]" for a procedural one, e.g. "make:stone_wall:512:7". Throws Error.
 Surface LoadSurface(const std::string& name, const SurfaceOptions& options = {});

@@ -27,6 +27,9 @@ refused 'huge.pfm' "$plumb" simulate huge.pfm
 refused 'nothing to fit' "$plumb" fit flat.pfm
 refused 'must be > 0' "$plumb" simulate flat.pfm --spacing-m 0
 refused 'must be finite and > 0' "$plumb" simulate make:bricks:16 --amplitude-m -1
+refused '--amplitude-m 1e+200' "$plumb" simulate make:bricks:16 --amplitude-m 1e200
+refused 'relief over spacing' "$plumb" fit make:bricks:16 --amplitude-of-width 1e6
+refused 'in [1e-30, 1e30]' "$plumb" simulate make:bricks:16 --spacing-m 1e-310
 refused 'in [0, 1]' "$plumb" simulate make:bricks:16 --albedo 1.5
 refused 'in [4, 65536]' "$plumb" simulate make:bricks:16 --slices 0
 refused 'in [0, 1000]' "$plumb" simulate make:bricks:16 --bounces 1001

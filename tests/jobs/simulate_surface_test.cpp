@@ -116,6 +116,14 @@ TEST(SimulateSurface, TotalsAreThoseOfTheLinearSystem) {
     EXPECT_EQ(seen, 2);
 }
 
+TEST(FurnaceFault, IsSaidAboveTheLimitAndForWhatIsNoNumber) {
+    EXPECT_EQ(FurnaceFault("wall", 1e-6), "");
+    EXPECT_EQ(FurnaceFault("wall", kFurnaceLimit), "");
+    for (const double error : {1.001e-3, 1e25, std::nan("")}) {
+        EXPECT_NE(FurnaceFault("wall", error).find("wall: furnace error"), std::string::npos);
+    }
+}
+
 // Expected: knowing more never raises the floor; the tolerance is the spread that the wider bins of
 // the grid over both (1/24) carry: slope 1 times width / sqrt(12).
 TEST(FloorsOf, BothVisibilitiesKnowMoreThanEither) {

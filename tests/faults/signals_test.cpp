@@ -53,6 +53,7 @@ TEST_P(Signals, EndTheRunWithin2Seconds) {
 constexpr Long kWork[] = {
     {"simulate make:stone_wall:256 --slices 1024", 0},
     {"simulate make:stone_wall:256 --slices 1024", 1},
+    {"simulate make:stone_wall:512 --method rays --rays 65536", 1},
     {"fit make:stone_wall:256 make:bricks:256 --slices 256", 0.5},
     {"truth atrium --spp 65536", 0},
     {"truth wedge --facets --spp 65536", 0.5},

@@ -34,7 +34,7 @@ void FitMeasured(const Options& o) {
     if (!o.open_ground.empty())
         options.open_ground = o.open_ground == "pi" ? kOpenIrradiance : 1;
     const FitReport report =
-        FitMeasuredCurves(o.histogram, options, PLUMB_VERSION, CommandLine());
+        FitMeasuredCurves(o.histogram, options, ContextOf(o.common, *monitor));
     WriteCurveResults(o.common.out, report);
     if (o.common.json) {
         std::cout << ToJsonText(report);
@@ -53,8 +53,7 @@ void Run(const CLI::App& command, const Options& o) {
                                                      : Weighting::kUnweighted;
     const std::vector<Surface> surfaces =
         LoadSurfaces(o.maps, SurfaceOptionsOf(command, o.simulate));
-    FitConstantsResult result =
-        FitConstants(surfaces, settings, PLUMB_VERSION, CommandLine(), NowS, *monitor);
+    FitConstantsResult result = FitConstants(surfaces, settings, ContextOf(o.common, *monitor));
     for (std::size_t m = 0; m < surfaces.size(); ++m) {
         WritePictures(o.common.out / "maps", surfaces[m].field, result.V[m],
                       result.report.maps[m]);

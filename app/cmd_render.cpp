@@ -30,8 +30,8 @@ void Run(Options o) {
     o.job.width_px = o.view.width_px;
     o.job.height_px = o.view.height_px;
     o.job.guard_px = o.view.guard_px;
-    const RenderResult result = RenderScene(LoadScene(o.scene), o.job, o.common.out,
-                                            PLUMB_VERSION, CommandLine(), NowS, *monitor);
+    const RenderResult result =
+        RenderScene(LoadScene(o.scene), o.job, ContextOf(o.common, *monitor));
     if (o.common.quiet) return;
     for (const auto& [pass, seconds] : result.seconds) {
         std::cout << std::left << std::setw(12) << pass << std::right << std::setw(9)

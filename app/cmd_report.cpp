@@ -34,8 +34,7 @@ void RunOne(const Options& o, const LoadedScene& loaded, const std::filesystem::
     job.guard_px = o.view.guard_px;
     job.seed = o.common.seed;
     job.pictures = folder / "pictures";
-    const SceneReport report =
-        ReportScene(loaded, job, PLUMB_VERSION, CommandLine(), NowS, monitor);
+    const SceneReport report = ReportScene(loaded, job, ContextOf(o.common, monitor));
     const std::filesystem::path page = WriteSceneReport(folder, report);
     if (o.common.json) {
         std::cout << ToJsonText(report);

@@ -31,8 +31,7 @@ void Run(const CLI::App& command, const Options& o) {
     job.albedo_map = o.albedo_map;
     job.sweep_amplitude = o.sweep;
     job.write_maps = !o.no_maps;
-    const SimulateResult result =
-        Simulate(surface, job, o.common.out, PLUMB_VERSION, CommandLine(), NowS, *monitor);
+    const SimulateResult result = Simulate(surface, job, ContextOf(o.common, *monitor));
     if (o.common.json) {
         std::cout << ToJsonText(result.report);
     } else if (!o.common.quiet) {

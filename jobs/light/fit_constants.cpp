@@ -36,13 +36,12 @@ const FormulaRecord& RecordNamed(const FitReport& report, const std::string& nam
 }  // namespace
 
 FitConstantsResult FitConstants(std::span<const Surface> surfaces, const FitSettings& settings,
-                                const std::string& tool_version, const std::string& command,
-                                const Clock& clock, Monitor& monitor) {
+                                const RunContext& run) {
     if (surfaces.empty()) throw Error("fit: no height map given");
     FitConstantsResult result;
     FitReport& report = result.report;
-    report.provenance.tool_version = tool_version;
-    report.provenance.command = command;
+    report.provenance.tool_version = run.version;
+    report.provenance.command = run.command;
     report.provenance.sampling = SamplingOf(settings.simulate);
     report.provenance.bounces = settings.simulate.bounces;
     report.provenance.bins = settings.simulate.bins;
@@ -52,7 +51,7 @@ FitConstantsResult FitConstants(std::span<const Surface> surfaces, const FitSett
     std::vector<SurfaceLight> lights;
     for (const Surface& surface : surfaces) {
         lights.push_back(SimulateSurface(surface.source.name, surface.field, settings.simulate,
-                                         monitor, &report.timings, clock));
+                                         run.monitor, &report.timings, run.clock));
         report.provenance.maps.push_back(surface.source);
         const SurfaceLight& light = lights.back();
         report.maps.push_back(
@@ -67,9 +66,9 @@ FitConstantsResult FitConstants(std::span<const Surface> surfaces, const FitSett
 
     for (const SurfaceLight& light : lights) result.V.push_back(light.V);
 
-    const double fits_begin_s = clock();
-    FitTotals(lights, settings, report, monitor);
-    report.timings.stages.push_back({"all maps", "fits", clock() - fits_begin_s});
+    const double fits_begin_s = run.clock();
+    FitTotals(lights, settings, report, run.monitor);
+    report.timings.stages.push_back({"all maps", "fits", run.clock() - fits_begin_s});
 
     report.recommended = std::string(EscapeOfBoth::kName) + ", refitted";
     report.recommended_text = std::string(EscapeOfBoth::kText);
@@ -78,9 +77,9 @@ FitConstantsResult FitConstants(std::span<const Surface> surfaces, const FitSett
 
     const Surface& first = surfaces.front();
     if (settings.study_convergence) {
-        report.convergence =
-            StudyConvergence(NameOfMiddle(first.source.name, first.field, kConvergenceTexels),
-                             MiddleOf(first.field, kConvergenceTexels), {}, clock, monitor);
+        report.convergence = StudyConvergence(
+            NameOfMiddle(first.source.name, first.field, kConvergenceTexels),
+            MiddleOf(first.field, kConvergenceTexels), {}, run.clock, run.monitor);
     }
     if (settings.study_amplitude && first.field.HighestM() > first.field.LowestM()) {
         SimulateSettings brief = settings.simulate;
@@ -90,7 +89,7 @@ FitConstantsResult FitConstants(std::span<const Surface> surfaces, const FitSett
         report.amplitudes =
             StudyAmplitude(NameOfMiddle(first.source.name, first.field, kAmplitudeTexels),
                            MiddleOf(first.field, kAmplitudeTexels), SweptAmplitudes(), brief,
-                           &recommended, &published, monitor);
+                           &recommended, &published, run.monitor);
     }
     return result;
 }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/monitor.h"
+#include "core/run_context.h"
 #include "fit/samples.h"
 #include "jobs/light/simulate_surface.h"
 #include "jobs/light/surface.h"
@@ -35,12 +35,10 @@ struct FitConstantsResult {
     std::vector<std::vector<double>> V;  ///< Of every facet of every map, for pictures.
 };
 
-/// `command` is stated
-/// in the report. With one map nothing can be held out, and the report says so by leaving it
+/// With one map nothing can be held out, and the report says so by leaving it
 /// empty. Throws Error if there is no map, or if no map has anything to fit (all of them flat).
 FitConstantsResult FitConstants(std::span<const Surface> surfaces, const FitSettings& settings,
-                                const std::string& tool_version, const std::string& command,
-                                const Clock& clock, Monitor& monitor = SilentMonitor());
+                                const RunContext& run);
 
 /// The headers that follow from a report: the recommended formula and its alternatives.
 ShaderHeader ShaderHeaderOf(const FitReport& report);

@@ -89,10 +89,10 @@ Curves CurvesOf(const NumberTable& table, const MeasuredOptions& options) {
 }  // namespace
 
 FitReport FitMeasuredCurves(const std::filesystem::path& table, const MeasuredOptions& options,
-                            const std::string& tool_version, const std::string& command) {
+                            const RunContext& run) {
     FitReport report;
-    report.provenance.tool_version = tool_version;
-    report.provenance.command = command;
+    report.provenance.tool_version = run.version;
+    report.provenance.command = run.command;
     report.provenance.weighting = "every bin the same";
     MapSource source;
     source.name = source.file = table.filename().string();

@@ -20,6 +20,7 @@
 #include <optional>
 #include <string>
 
+#include "core/run_context.h"
 #include "reports/fit_report.h"
 
 namespace plumb {
@@ -38,6 +39,6 @@ struct MeasuredOptions {
 /// and the family of all bounces in the table. Throws Error, naming the file, if it has no row,
 /// lacks a column, is flat, does not say its unit, or cannot be in that unit.
 FitReport FitMeasuredCurves(const std::filesystem::path& table, const MeasuredOptions& options,
-                            const std::string& tool_version, const std::string& command);
+                            const RunContext& run);
 
 }  // namespace plumb

@@ -44,9 +44,7 @@ std::array<std::vector<double>, 3> UniformAlbedos(const std::vector<double>& alb
 
 }  // namespace
 
-SimulateResult Simulate(const Surface& surface, const SimulateJob& job,
-                        const std::filesystem::path& folder, const std::string& tool_version,
-                        const std::string& command, const Clock& clock, Monitor& monitor) {
+SimulateResult Simulate(const Surface& surface, const SimulateJob& job, const RunContext& run) {
     if (job.albedo.size() == 2) throw Error("--albedo: two numbers, must be one or three");
     for (const double rho : job.albedo) {
         if (!(rho >= 0 && rho <= 1)) throw Error(MustBe("--albedo", rho, "in [0, 1]"));
@@ -63,20 +61,22 @@ SimulateResult Simulate(const Surface& surface, const SimulateJob& job,
     SimulateReport& report = result.report;
     std::vector<std::vector<float>> bounces;
     std::array<std::vector<double>, 3> E;
-    const SurfaceLight light = SimulateSurface(
-        surface.source.name, surface.field, job.settings, monitor, &report.timings, clock,
-        {.bounce =
-             [&](int k, std::span<const double> E_k) {
-                 if (job.write_maps && k <= kMappedBounces) {
-                     bounces.emplace_back(E_k.begin(), E_k.end());
-                 }
-             },
-         .links =
-             [&](const Links& links, const FacetPieces& pieces) {
-                 if (coloured) E = ColouredLight(links, pieces, albedo, monitor);
-             }});
-    report.provenance.tool_version = tool_version;
-    report.provenance.command = command;
+    const SurfaceLight light =
+        SimulateSurface(surface.source.name, surface.field, job.settings, run.monitor,
+                        &report.timings, run.clock,
+                        {.bounce =
+                             [&](int k, std::span<const double> E_k) {
+                                 if (job.write_maps && k <= kMappedBounces) {
+                                     bounces.emplace_back(E_k.begin(), E_k.end());
+                                 }
+                             },
+                         .links =
+                             [&](const Links& links, const FacetPieces& pieces) {
+                                 if (coloured)
+                                     E = ColouredLight(links, pieces, albedo, run.monitor);
+                             }});
+    report.provenance.tool_version = run.version;
+    report.provenance.command = run.command;
     report.provenance.maps = {surface.source};
     report.provenance.sampling = SamplingOf(job.settings);
     report.provenance.bounces = job.settings.bounces;
@@ -84,18 +84,18 @@ SimulateResult Simulate(const Surface& surface, const SimulateJob& job,
     report.provenance.albedos = job.settings.albedos;
     report.surface = {light.name, "", "", light.over_alpha, light.over_V, light.figures};
 
-    if (job.write_maps) WriteLightMaps(folder, surface, light, bounces);
-    if (coloured) WriteColouredLight(folder, surface.field, E);
+    if (job.write_maps) WriteLightMaps(run.folder, surface, light, bounces);
+    if (coloured) WriteColouredLight(run.folder, surface.field, E);
     if (job.sweep_amplitude) {
         SimulateSettings brief = job.settings;
         brief.check_furnace = false;
         report.amplitudes =
             StudyAmplitude(NameOfMiddle(surface.source.name, surface.field, kSweepTexels),
                            MiddleOf(surface.field, kSweepTexels), SweptAmplitudes(), brief,
-                           nullptr, nullptr, monitor);
+                           nullptr, nullptr, run.monitor);
     }
-    WritePictures(folder, surface.field, light.V, report.surface);
-    result.page = WriteSimulateResults(folder, report);
+    WritePictures(run.folder, surface.field, light.V, report.surface);
+    result.page = WriteSimulateResults(run.folder, report);
     return result;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/monitor.h"
+#include "core/run_context.h"
 #include "jobs/light/simulate_surface.h"
 #include "jobs/light/surface.h"
 #include "reports/simulate_report.h"
@@ -28,11 +28,8 @@ struct SimulateResult {
 /// Bounces that light.exr holds at most; the histograms hold all.
 inline constexpr int kMappedBounces = 20;
 
-/// Simulates and writes everything into `folder`. Throws Error if an albedo is outside [0, 1]
+/// Simulates and writes everything into the folder of the run. Throws Error if an albedo is outside [0, 1]
 /// or the albedo map has another size than the height map.
-SimulateResult Simulate(const Surface& surface, const SimulateJob& job,
-                        const std::filesystem::path& folder, const std::string& tool_version,
-                        const std::string& command, const Clock& clock,
-                        Monitor& monitor = SilentMonitor());
+SimulateResult Simulate(const Surface& surface, const SimulateJob& job, const RunContext& run);
 
 }  // namespace plumb

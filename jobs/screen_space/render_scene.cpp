@@ -7,7 +7,6 @@
 #include "core/error.h"
 #include "io/image_io.h"
 #include "screen_space/raster/draw_gbuffer.h"
-#include "screen_space/raster/near_plane.h"
 #include "truth/embree_caster.h"
 
 namespace plumb {
@@ -57,8 +56,7 @@ int GuardPx(int guard_px, int height_px) {
 }
 
 RenderResult RenderScene(const LoadedScene& loaded, const RenderJob& job,
-                         const std::filesystem::path& folder, const std::string& tool_version,
-                         const std::string& command, const PassClock& clock, Monitor& monitor) {
+                         const RunContext& run) {
     const TechniqueSettings settings =
         Over(SettingsOf(loaded, job.technique, {}), job.technique, job.values);
     const Technique technique = TechniqueNamed(job.technique, settings);
@@ -70,20 +68,20 @@ RenderResult RenderScene(const LoadedScene& loaded, const RenderJob& job,
     const int guard_px = GuardPx(job.guard_px, camera.height_px);
 
     RenderResult result;
-    const double begin_s = clock();
-    const GBuffer gbuffer = DrawGBuffer(scene, camera, SuitedTo(scene, camera, guard_px));
-    result.seconds.push_back({"G-buffer", clock() - begin_s});
+    const double begin_s = run.clock();
+    const GBuffer gbuffer = DrawGBuffer(scene, camera, {.guard_px = guard_px});
+    result.seconds.push_back({"G-buffer", run.clock() - begin_s});
     const EmbreeCaster caster(scene);
-    monitor.Progress("passes", 0.5);
-    const std::vector<Pass> passes = technique.run({gbuffer, scene, camera, caster}, clock);
-    if (monitor.Cancelled()) throw Interrupted();
+    run.monitor.Progress("passes", 0.5);
+    const std::vector<Pass> passes = technique.run({gbuffer, scene, camera, caster}, run.clock);
+    if (run.monitor.Cancelled()) throw Interrupted();
 
     std::vector<NamedChannel> channels = Geometry(gbuffer);
     for (const Pass& pass : passes) {
         result.seconds.push_back({pass.name, pass.seconds});
         if (pass.A.Empty()) continue;
         channels.push_back({"A." + Plain(pass.name), Shown(pass.A, gbuffer.view)});
-        result.pictures.push_back(folder / (Plain(pass.name) + ".png"));
+        result.pictures.push_back(run.folder / (Plain(pass.name) + ".png"));
         WritePreview(result.pictures.back(), channels.back().pixels);
     }
     const Image<std::uint32_t> seen = Shown(gbuffer.triangle, gbuffer.view);
@@ -95,14 +93,13 @@ RenderResult RenderScene(const LoadedScene& loaded, const RenderJob& job,
         ++n;
     }
     result.mean = n > 0 ? sum / n : 1;
-    result.exr = folder / "render.exr";
+    result.exr = run.folder / "render.exr";
     WriteExr(result.exr, channels,
-             {{"plumb:version", tool_version},
-              {"plumb:command", command},
+             {{"plumb:version", run.version},
+              {"plumb:command", run.command},
               {"plumb:scene", scene.name},
               {"plumb:scene_sha256", loaded.digest},
               {"plumb:camera", camera.name},
-              {"plumb:near_plane_m", std::to_string(gbuffer.range.near_m)},
               {"plumb:technique", technique.name}});
     return result;
 }

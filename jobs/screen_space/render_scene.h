@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/monitor.h"
+#include "core/run_context.h"
 #include "jobs/screen_space/technique.h"
 #include "jobs/truth/load_scene.h"
 
@@ -33,8 +33,6 @@ int GuardPx(int guard_px, int height_px);
 /// Writes render.exr (depth_m, normal.xyz, albedo.RGB, triangle_bits and A after every pass) and a
 /// PNG of every pass into `folder`.
 RenderResult RenderScene(const LoadedScene& loaded, const RenderJob& job,
-                         const std::filesystem::path& folder, const std::string& tool_version,
-                         const std::string& command, const PassClock& clock,
-                         Monitor& monitor = SilentMonitor());
+                         const RunContext& run);
 
 }  // namespace plumb

@@ -23,7 +23,6 @@
 #include "jobs/screen_space/signed_picture.h"
 #include "jobs/screen_space/time_techniques.h"
 #include "screen_space/raster/draw_gbuffer.h"
-#include "screen_space/raster/near_plane.h"
 #include "screen_space/sao/sao_presets.h"
 #include "truth/embree_caster.h"
 #include "truth/leave_surface.h"
@@ -102,15 +101,15 @@ int OtherSpp(const SceneReportJob& job) {
 void AddStudies(const LoadedScene& loaded, const SceneReportJob& job,
                 std::span<const ChosenTechnique> chosen, const SaoOptions& budget,
                 const EmbreeCaster& caster, const MeasuredView& view, SceneReport& report,
-                const Clock& clock, Monitor& monitor) {
+                const RunContext& run) {
     const Scene& scene = loaded.scene;
     const Camera& camera = view.camera;
     const TechniqueInput in{view.gbuffer, scene, camera, caster};
     const BudgetOptions options{.stride_px = job.budget_stride_px,
                                 .guard_px = view.summary.guard_px,
                                 .rounds = job.rounds};
-    ErrorBudget made =
-        MakeErrorBudget(budget, scene, camera, caster, view.truth, options, clock, monitor);
+    ErrorBudget made = MakeErrorBudget(budget, scene, camera, caster, view.truth, options,
+                                       run.clock, run.monitor);
     report.budget_technique = BudgetTechnique(job);
     report.budget_taps = options.many_taps;
     report.budget_pixels = made.pixels;
@@ -118,9 +117,9 @@ void AddStudies(const LoadedScene& loaded, const SceneReportJob& job,
     report.no_border = std::move(made.no_border);
     report.pyramids = StudyPyramid(in, view.truth, budget);
     report.guards =
-        StudyGuardBand(scene, camera, view.truth, budget, job.rounds, clock, monitor);
+        StudyGuardBand(scene, camera, view.truth, budget, job.rounds, run.clock, run.monitor);
     Sweep sweep = SweepTechniques(in, view.truth, chosen, job.rounds, report.cheapest_within,
-                                  clock, monitor);
+                                  run.clock, run.monitor);
     report.sweep = std::move(sweep.points);
     report.cheapest = std::move(sweep.cheapest);
     const auto sao = [&](const std::string& technique, const std::string& preset) {
@@ -129,16 +128,17 @@ void AddStudies(const LoadedScene& loaded, const SceneReportJob& job,
     };
     const NamedSao saos[] = {sao(kTimedSao, "supplement2012"), sao(kTimedAlchemy, "alchemy")};
     report.times = TimePasses(scene, camera, caster, saos, job.sizes, job.rounds,
-                              report.copy_bytes_per_second.value, clock, monitor);
+                              report.copy_bytes_per_second.value, run.clock, run.monitor);
     report.radii_width_px = job.radii_size.width_px;
     report.radii_height_px = job.radii_size.height_px;
-    report.radii = TimeRadii(scene, camera, job.radii_size, job.rounds, clock, monitor);
+    report.radii = TimeRadii(scene, camera, job.radii_size, job.rounds, run.clock, run.monitor);
     TemporalOptions temporal = job.flicker;
     temporal.radius_m = report.radius_m;
     temporal.seed = job.seed;
     report.temporal_frames = temporal.frames;
-    report.temporal = StudyFlicker(scene, camera, caster, chosen, temporal, clock, monitor);
-    report.precision = StudyZPrecision(scene, job.precision, monitor);
+    report.temporal =
+        StudyFlicker(scene, camera, caster, chosen, temporal, run.clock, run.monitor);
+    report.precision = StudyZPrecision(scene, job.precision, run.monitor);
 }
 
 }  // namespace
@@ -156,8 +156,7 @@ void Validate(const SceneReportJob& job) {
 }
 
 SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
-                        const std::string& tool_version, const std::string& command,
-                        const Clock& clock, Monitor& monitor) {
+                        const RunContext& run) {
     Validate(job);
     const Scene& scene = loaded.scene;
     const std::vector<Camera> cameras = CamerasOf(scene, job);
@@ -176,8 +175,8 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
         job.budget, Chosen(loaded, BudgetTechnique(job), job.radius_m, job.set).settings);
 
     SceneReport report;
-    report.tool_version = tool_version;
-    report.command = command;
+    report.tool_version = run.version;
+    report.command = run.command;
     report.scene = scene.name;
     report.scene_sha256 = loaded.digest;
     report.threads = ThreadCount();
@@ -194,7 +193,7 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
         views.push_back(MeasureView(scene, camera, GuardPx(job.guard_px, camera.height_px),
                                     caster, FalloffsOf(techniques, budget),
                                     {.radius_m = report.radius_m, .spp = spp, .seed = job.seed},
-                                    clock, monitor));
+                                    run.clock, run.monitor));
     }
     const MeasuredView& first = views.front();
     const TruthImage& near = first.truth.near.at(Falloff::kHard);
@@ -209,20 +208,21 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
     report.views.front().truth.picture_V = picture("truth_v", first.truth.V.value);
     report.views.front().truth.picture_near = picture("truth_near", near.value);
     report.embree_rays_per_second =
-        BareRaysPerSecond(caster, scene, first.truth.pixels, job.rounds, clock);
-    report.copy_bytes_per_second = CopyRate(job.rounds, clock);
+        BareRaysPerSecond(caster, scene, first.truth.pixels, job.rounds, run.clock);
+    report.copy_bytes_per_second = CopyRate(job.rounds, run.clock);
     Rasterizer rasterizer;
     GBuffer again;
     const auto draw = [&] {
-        DrawGBuffer(rasterizer, scene, first.camera,
-                    SuitedTo(scene, first.camera, first.summary.guard_px), again);
+        DrawGBuffer(rasterizer, scene, first.camera, {.guard_px = first.summary.guard_px},
+                    again);
     };
-    report.raster_s = TimeInTurns({{draw}}, job.rounds, clock, monitor).Seconds(0);
+    report.raster_s = TimeInTurns({{draw}}, job.rounds, run.clock, run.monitor).Seconds(0);
 
     const TechniqueInput in{first.gbuffer, scene, first.camera, caster};
     std::vector<TechniqueTurn> turns;
     for (const Technique& technique : techniques) turns.push_back({&technique, &in});
-    std::vector<TimedTechnique> timed = TimeTechniques(turns, job.rounds, clock, monitor);
+    std::vector<TimedTechnique> timed =
+        TimeTechniques(turns, job.rounds, run.clock, run.monitor);
     for (std::size_t t = 0; t < techniques.size(); ++t) {
         TechniqueScore score;
         score.name = techniques[t].name;
@@ -239,23 +239,24 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
     double done = 0;
     for (std::size_t v = 0; v < views.size(); ++v) {
         for (std::size_t t = 0; t < techniques.size(); ++t) {
-            if (monitor.Cancelled()) throw Interrupted();
+            if (run.monitor.Cancelled()) throw Interrupted();
             Image<float> A = std::move(timed[t].A);
             if (v > 0) {
-                A = Shown(techniques[t]
-                              .run({views[v].gbuffer, scene, views[v].camera, caster}, clock)
-                              .back()
-                              .A,
-                          views[v].gbuffer.view);
+                A = Shown(
+                    techniques[t]
+                        .run({views[v].gbuffer, scene, views[v].camera, caster}, run.clock)
+                        .back()
+                        .A,
+                    views[v].gbuffer.view);
             }
             board.Add(t, views[v], techniques[t].falloff, std::move(A));
-            monitor.Progress("scores",
-                             ++done / double(views.size()) / double(techniques.size()));
+            run.monitor.Progress("scores",
+                                 ++done / double(views.size()) / double(techniques.size()));
         }
     }
     board.Finish(views, report);
     if (job.studies) {
-        AddStudies(loaded, job, chosen, budget, caster, first, report, clock, monitor);
+        AddStudies(loaded, job, chosen, budget, caster, first, report, run);
     }
     return report;
 }

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/monitor.h"
+#include "core/run_context.h"
 #include "core/time_in_turns.h"
 #include "jobs/screen_space/ao_times.h"
 #include "jobs/screen_space/technique.h"
@@ -53,8 +53,7 @@ inline constexpr double kReportRadiusM = 1.5;
 void Validate(const SceneReportJob& job);
 
 SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
-                        const std::string& tool_version, const std::string& command,
-                        const Clock& clock, Monitor& monitor = SilentMonitor());
+                        const RunContext& run);
 
 /// report.html, report.json, scores.csv and sweep.csv. Returns the page's path.
 std::filesystem::path WriteSceneReport(const std::filesystem::path& folder,

@@ -36,8 +36,7 @@ std::optional<TruthCounts> TruthCache::Load() {
         if (job_.resume) throw Error("resume without a cache, must have one");
         return std::nullopt;
     }
-    std::error_code none;
-    if (!std::filesystem::exists(path_, none)) {
+    if (!std::filesystem::exists(path_)) {
         return refuse(
             "is missing: nothing was kept of this scene, view, seed and these quantities");
     }

@@ -13,10 +13,6 @@
 namespace plumb {
 namespace {
 
-double NoClock() {
-    return 0;
-}
-
 FitSettings Brief() {
     FitSettings settings;
     settings.simulate.slices.slices = 8;
@@ -36,7 +32,7 @@ std::vector<Surface> ThreeWalls() {
 }
 
 FitReport Fit(std::span<const Surface> surfaces) {
-    return FitConstants(surfaces, Brief(), "test", "plumb fit", NoClock).report;
+    return FitConstants(surfaces, Brief(), {.version = "test", .command = "plumb fit"}).report;
 }
 
 const FormulaRecord& Named(const FitReport& report, const std::string& name) {

@@ -109,9 +109,9 @@ class FitEndToEnd : public testing::Test {
   protected:
     static void SetUpTestSuite() {
         surfaces = new std::vector<Surface>(Surfaces(4));
-        report = new FitReport(FitConstants(*surfaces, Brief(), "1.2.3", "plumb fit made", [] {
-                                   return 0.0;
-                               }).report);
+        report = new FitReport(
+            FitConstants(*surfaces, Brief(), {.version = "1.2.3", .command = "plumb fit made"})
+                .report);
         lights = new std::vector<SurfaceLight>;
         for (const Surface& surface : *surfaces)
             lights->push_back(
@@ -206,14 +206,13 @@ TEST_F(FitEndToEnd, FloorsAreTheScatterWithinBins) {
 TEST_F(FitEndToEnd, HeldOutScoresAreOfConstantsThatNeverSawTheMap) {
     FitSettings settings = Brief();
     settings.study_amplitude = false;
-    const auto clock = [] { return 0.0; };
     const std::vector<Surface> pair{(*surfaces)[0], (*surfaces)[2]};
-    const FitReport both = FitConstants(pair, settings, "", "", clock).report;
+    const FitReport both = FitConstants(pair, settings, {}).report;
     int compared = 0;
     double apart = 0;
     for (const std::size_t alone : {0u, 1u}) {
         const FitReport one =
-            FitConstants(std::span(pair).subspan(alone, 1), settings, "", "", clock).report;
+            FitConstants(std::span(pair).subspan(alone, 1), settings, {}).report;
         for (const char* name : {"escape of V, refitted", "bent escape of V, refitted"}) {
             const FormulaRecord& learnt = Named(one, name);
             const std::size_t other = 1 - alone;

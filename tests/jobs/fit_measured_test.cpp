@@ -16,6 +16,8 @@
 namespace plumb {
 namespace {
 
+const RunContext kRun{.version = "test", .command = "plumb fit"};
+
 std::filesystem::path Written(const char* name, const std::string& text) {
     const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / name;
     std::ofstream(path) << text;
@@ -24,7 +26,7 @@ std::filesystem::path Written(const char* name, const std::string& text) {
 
 std::string MessageOf(const std::filesystem::path& path) {
     try {
-        FitMeasuredCurves(path, {}, "test", "plumb fit");
+        FitMeasuredCurves(path, {}, kRun);
     } catch (const Error& error) {
         return error.what();
     }
@@ -43,8 +45,8 @@ TEST(FitMeasuredCurves, FindsTheConstantsThatMadeTheTable) {
               << std::numbers::pi * Evaluate(kMayaux18FirstBounce, alpha) << "\n";
     }
     table.close();
-    const FitReport report = FitMeasuredCurves(
-        std::filesystem::path(testing::TempDir()) / "made.csv", {}, "test", "plumb fit");
+    const FitReport report =
+        FitMeasuredCurves(std::filesystem::path(testing::TempDir()) / "made.csv", {}, kRun);
     ASSERT_EQ(report.curves.size(), 3u);
     EXPECT_NEAR(report.curves[0].fit.Values()[0], 0.5, 1e-6);
     EXPECT_NEAR(report.curves[0].fit.Values()[1], 0.75, 1e-6);
@@ -60,7 +62,7 @@ TEST(FitMeasuredCurves, FindsTheKnownConstantsOnTheAuthorsTable) {
     const std::filesystem::path table =
         std::filesystem::path(PLUMB_SOURCE_DIR) / "../shared/data/mayaux18_wall_bounces.csv";
     if (!std::filesystem::exists(table)) GTEST_SKIP() << "the author's table is not here";
-    const FitReport report = FitMeasuredCurves(table, {}, "test", "plumb fit");
+    const FitReport report = FitMeasuredCurves(table, {}, kRun);
     EXPECT_NEAR(report.curves[1].fit.Values()[0], 28.945, 0.0005);
     EXPECT_NEAR(report.curves[1].fit.Values()[1], 3.4103, 0.00005);
     EXPECT_NEAR(report.curves[1].fit.rmse, 0.005113, 5e-7);
@@ -86,8 +88,7 @@ std::string TableOf(double open_ground, const char* columns, bool alpha, bool ou
 std::vector<double> ConstantsOf(const std::filesystem::path& table,
                                 const MeasuredOptions& options = {}) {
     std::vector<double> constants;
-    for (const CurveFit& curve :
-         FitMeasuredCurves(table, options, "test", "plumb fit").curves) {
+    for (const CurveFit& curve : FitMeasuredCurves(table, options, kRun).curves) {
         const std::vector<double> values = curve.fit.Values();
         constants.insert(constants.end(), values.begin(), values.end());
     }
@@ -118,7 +119,7 @@ TEST(FitMeasuredCurves, TheUnitIsSaidAndNotGuessed) {
     // What is said must be possible.
     const auto message = [](const std::filesystem::path& table, double open_ground) {
         try {
-            FitMeasuredCurves(table, {.open_ground = open_ground}, "test", "plumb fit");
+            FitMeasuredCurves(table, {.open_ground = open_ground}, kRun);
         } catch (const Error& error) {
             return std::string(error.what());
         }

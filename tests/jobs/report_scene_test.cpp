@@ -30,7 +30,8 @@ SceneReportJob Brief() {
 }
 
 SceneReport Made(const Scene& scene, const SceneReportJob& job) {
-    return ReportScene({scene, {"a note"}, "digest"}, job, "test", "plumb report", Ticking());
+    return ReportScene({scene, {"a note"}, "digest"}, job,
+                       {.version = "test", .command = "plumb report", .clock = Ticking()});
 }
 
 // Expected: more rays are nearer to the truth, and rays have no bias; a note of the scene is
@@ -107,7 +108,8 @@ TEST(ReportScene, PutsTheCommandLineBeforeTheFileBeforeTheDefault) {
     job.techniques = {"gtao-paper"};
     const auto report = [&](std::optional<double> radius_m) {
         job.radius_m = radius_m;
-        return ReportScene(loaded, job, "test", "plumb report", Ticking());
+        return ReportScene(loaded, job,
+                           {.version = "test", .command = "plumb report", .clock = Ticking()});
     };
     const EmbreeCaster caster(scene);
     const Camera& camera = scene.cameras.front();

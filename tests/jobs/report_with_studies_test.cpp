@@ -51,7 +51,8 @@ SceneReportJob Job() {
 
 const SceneReport& Report() {
     static const SceneReport report =
-        ReportScene({TwoViews(), {}, "digest"}, Job(), "test", "plumb report", Ticking());
+        ReportScene({TwoViews(), {}, "digest"}, Job(),
+                    {.version = "test", .command = "plumb report", .clock = Ticking()});
     return report;
 }
 

@@ -1,6 +1,7 @@
 // plumb simulate from heights to files: every figure in them against one worked out here from the
 // light of the single facets.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,16 +60,20 @@ double Mean(const std::vector<double>& values) {
 class SimulateEndToEnd : public testing::Test {
   protected:
     static void SetUpTestSuite() {
-        folder = new fs::path(fs::path(testing::TempDir()) / "plumb_simulate_end_to_end");
+        // Of this process alone: CTest runs each test as one, side by side.
+        folder = new fs::path(fs::path(testing::TempDir()) /
+                              ("plumb_simulate_end_to_end_" + std::to_string(::getpid())));
         surface = new Surface(LoadSurface("make:cobbles:24"));
         SimulateJob job;
         job.settings = Brief();
         job.albedo = {0.9, 0.5, 0};
         job.sweep_amplitude = true;
         double now_s = 100;
-        result =
-            new SimulateResult(Simulate(*surface, job, *folder, "1.2.3", "plumb simulate made",
-                                        [&now_s] { return now_s += 0.25; }));
+        result = new SimulateResult(Simulate(*surface, job,
+                                             {.version = "1.2.3",
+                                              .command = "plumb simulate made",
+                                              .clock = [&now_s] { return now_s += 0.25; },
+                                              .folder = *folder}));
         bounces = new std::vector<std::vector<double>>;
         light = new SurfaceLight(
             SimulateSurface("cobbles", surface->field, Brief(), SilentMonitor(), nullptr, {},

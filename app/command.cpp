@@ -17,7 +17,6 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "core/program_monitor.h"
 #include "core/time_in_turns.h"
 
 namespace plumb::app {
@@ -37,12 +36,8 @@ class TerminalMonitor : public Monitor {
     explicit TerminalMonitor(bool draw) : draw_(draw) {
         std::signal(SIGINT, OnInterrupt);
         std::signal(SIGTERM, OnInterrupt);
-        SetProgramMonitor(this);
     }
-    ~TerminalMonitor() override {
-        SetProgramMonitor(nullptr);
-        Clear();
-    }
+    ~TerminalMonitor() override { Clear(); }
 
     void Progress(std::string_view stage, double done) override {
         if (!draw_) return;

@@ -23,8 +23,9 @@ constexpr const char* kWriters[] = {
     "out",
     "truth wedge --width 64 --height 64 --spp 64 --out out",
     "truth wedge --facets --spp 16 --out out",
-    "render wedge --width 64 --height 64 --technique gtao --out out",
-    "report wedge --width 64 --height 36 --spp 16 --rounds 1 --no-studies --technique gtao "
+    "render wedge --width 64 --height 64 --technique gtao-xegtao --out out",
+    "report wedge --width 64 --height 36 --spp 16 --rounds 1 --no-studies --technique "
+    "gtao-xegtao "
     "--out out",
 };
 
@@ -78,7 +79,8 @@ constexpr const char* kTalkers[] = {
     "truth wedge --width 16 --height 16 --spp 64 --json",
     "truth wedge --facets --spp 16",
     "render wedge --width 16 --height 16 --technique gtao-paper",
-    "report wedge --width 64 --height 36 --spp 16 --rounds 1 --no-studies --technique gtao "
+    "report wedge --width 64 --height 36 --spp 16 --rounds 1 --no-studies --technique "
+    "gtao-xegtao "
     "--json",
     "bench raster wedge --width 32 --height 32 --rounds 5 --json",
 };

@@ -16,8 +16,9 @@ constexpr const char* kHungry[] = {
     "fit make:bricks:128 make:cobbles:128 --slices 8 --no-studies --bootstrap 0 --starts 1",
     "truth atrium --width 480 --height 270 --spp 64",
     "truth wedge --facets --spp 16",
-    "render atrium --technique gtao --width 960 --height 540",
-    "report wedge --width 480 --height 270 --spp 16 --rounds 1 --no-studies --technique gtao-paper",
+    "render atrium --technique gtao-xegtao --width 960 --height 540",
+    "report wedge --width 480 --height 270 --spp 16 --rounds 1 --no-studies --technique "
+    "gtao-paper",
     "bench raster atrium --rounds 5",
 };
 

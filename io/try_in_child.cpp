@@ -35,7 +35,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kDoneStatus = 40, kThrewStatus = 41, kMemoryStatus = 42;
 constexpr std::size_t kMostWords = 4000;
 
-std::uint64_t AddressSpaceBytes() {
+[[maybe_unused]] std::uint64_t AddressSpaceBytes() {  // A sanitizer's is terabytes.
     std::uint64_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;
     return pages * std::uint64_t(sysconf(_SC_PAGESIZE));

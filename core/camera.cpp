@@ -5,12 +5,18 @@
 
 namespace plumb {
 
+namespace {
+
+constexpr double kFarthestM = 1e15;  // As for vertices: beyond it squares overflow in float.
+
+}  // namespace
+
 void Validate(const Camera& camera, const std::string& name) {
     const auto finite = [&](const Vec3& v, const char* field) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (!std::isfinite(v[axis])) {
+            if (!(std::abs(v[axis]) <= kFarthestM)) {
                 throw Error(MustBe(name + "." + field + "[" + std::to_string(axis) + "]",
-                                   v[axis], "finite"));
+                                   v[axis], "finite and at most 1e15 from 0"));
             }
         }
     };

@@ -114,11 +114,20 @@ void Validate(const Scene& scene) {
         const std::string at = name + ": directional_lights[" + std::to_string(i) + "]";
         NotNegative(scene.light.directional[i].irradiance, at + ".irradiance", kHuge,
                     "finite and >= 0");
-        if (!(scene.light.directional[i].towards.norm() > 0)) {
-            throw Error(at + ".towards has no length, must have one");
+        const double length = scene.light.directional[i].towards.norm();
+        if (!(length > 0 && std::isfinite(length))) {
+            throw Error(at + ".towards has no length, or none that is finite; must have one");
         }
     }
     for (std::size_t i = 0; i < scene.light.points.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double x = scene.light.points[i].position_m[axis];
+            if (!(std::abs(x) <= 1e15)) {
+                throw Error(MustBe(name + ": point_lights[" + std::to_string(i) +
+                                       "].position_m[" + std::to_string(axis) + "]",
+                                   x, "finite and at most 1e15 from 0"));
+            }
+        }
         NotNegative(scene.light.points[i].intensity,
                     name + ": point_lights[" + std::to_string(i) + "].intensity", kHuge,
                     "finite and >= 0");

@@ -1,5 +1,7 @@
 #include "io/mesh_io.h"
 
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -10,24 +12,31 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "core/error.h"
+#include "io/far_mesh.h"
 #include "io/mesh_header.h"
 #include "io/mesh_materials.h"
 #include "io/regular_file.h"
 #include "io/try_in_child.h"
+#include "io/whole_file.h"
 
 namespace plumb {
 namespace {
 
-Vec3 UpIsZ(const aiVector3D& p, UpAxis up) {
+Vec3 Vector(const aiVector3D& v) {
+    return {v.x, v.y, v.z};
+}
+
+Vec3 UpIsZ(const Vec3& p, UpAxis up) {
     switch (up) {
         case UpAxis::kX:
-            return {p.y, p.z, p.x};
+            return {p.y(), p.z(), p.x()};
         case UpAxis::kY:
-            return {p.x, -p.z, p.y};
+            return {p.x(), -p.z(), p.y()};
         case UpAxis::kZ:
-            return {p.x, p.y, p.z};
+            return p;
     }
     return Vec3::Zero();
 }
@@ -71,7 +80,37 @@ class Warnings {
     std::vector<std::string> lines_;
 };
 
-const aiScene* Parse(Assimp::Importer& importer, const std::string& file) {
+// Gives another text for one file.
+class TextInstead final : public Assimp::DefaultIOSystem {
+  public:
+    TextInstead(std::string file, std::string text)
+        : file_(std::move(file)), text_(std::move(text)) {}
+
+    Assimp::IOStream* Open(const char* file, const char* mode) override {
+        if (file != file_) return DefaultIOSystem::Open(file, mode);
+        return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text_.data()),
+                                          text_.size());
+    }
+
+  private:
+    std::string file_, text_;
+};
+
+bool IsObj(const std::string& file) {
+    std::string ending = std::filesystem::path(file).extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return ending == ".obj";
+}
+
+// `origin`: what was taken from the vertices, in the file's own unit and axes.
+const aiScene* Parse(Assimp::Importer& importer, const std::string& file, Vec3& origin) {
+    origin = Vec3::Zero();
+    if (IsObj(file)) {
+        if (auto near = BringNear(ReadWholeFile(file))) {
+            origin = near->origin;
+            importer.SetIOHandler(new TextInstead(file, std::move(near->text)));
+        }
+    }
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     return importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices |
@@ -83,14 +122,16 @@ class Converter {
     Converter(const std::filesystem::path& path, const MeshFileOptions& options)
         : path_(path), file_(path.string()), options_(options) {}
 
-    MeshFile Convert(const aiScene& scene) {
+    /// `origin`: as Parse() gives it.
+    MeshFile Convert(const aiScene& scene, const Vec3& origin) {
+        FindOrigin(scene, origin);
         if (scene.mNumMaterials > 65535) {
             throw Error(MustBe(file_ + ": materials", scene.mNumMaterials, "at most 65535"));
         }
         MeshMaterials read = ReadMaterials(scene, path_, options_);
         out_.materials = std::move(read.materials);
         out_.textures = std::move(read.textures);
-        out_.notes = std::move(read.notes);
+        out_.notes.insert(out_.notes.end(), read.notes.begin(), read.notes.end());
         uv_channel_ = std::move(read.uv_channel);
         for (unsigned m = 0; m < scene.mNumMeshes; ++m) Add(*scene.mMeshes[m]);
         if (out_.mesh.quads.empty()) throw Error(file_ + ": no faces");
@@ -100,6 +141,36 @@ class Converter {
     }
 
   private:
+    Vec3 PositionM(const Vec3& v) const { return options_.unit_m * UpIsZ(v, options_.up); }
+
+    // Where the reader's numbers become those that are kept.
+    void FindOrigin(const aiScene& scene, const Vec3& taken_before) {
+        const Vec3 before_m = PositionM(taken_before);
+        Eigen::AlignedBox3d box;
+        for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+            for (unsigned v = 0; v < scene.mMeshes[m]->mNumVertices; ++v) {
+                box.extend(PositionM(Vector(scene.mMeshes[m]->mVertices[v])));
+            }
+        }
+        if (!box.isEmpty()) moved_m_ = OriginFor(box.min(), box.max());
+        if (!moved_m_.allFinite()) moved_m_ = Vec3::Zero();  // Refused where it is added.
+        out_.origin_m = before_m + moved_m_;
+        if (!(out_.origin_m.cwiseAbs().maxCoeff() <= 1e15)) {
+            throw Error(file_ + ": vertices must be at most 1e15 m from 0");
+        }
+        if (moved_m_.isZero(0)) return;
+        const double extent_m = (box.max() - box.min()).maxCoeff();
+        const double step_m = box.max().cwiseAbs().cwiseMax(box.min().cwiseAbs()).maxCoeff() *
+                              double(std::numeric_limits<float>::epsilon());
+        constexpr double kCoarse = 1e-5;
+        if (step_m <= kCoarse * extent_m) return;
+        std::ostringstream note;
+        note << file_ << ": lies so far from the origin of its coordinates that its "
+             << "vertices are rounded to steps of about " << step_m << " m, " << extent_m
+             << " m of extent: move it nearer, or write it as OBJ";
+        out_.notes.push_back(note.str());
+    }
+
     void Add(const aiMesh& mesh) {
         if (mesh.mMaterialIndex >= out_.materials.size()) {
             throw Error(MustBe(file_ + ": mesh " + mesh.mName.C_Str() + ": material",
@@ -111,7 +182,7 @@ class Converter {
             throw Error(file_ + ": more than 2^32 vertices");
         }
         for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-            const Vec3 p = options_.unit_m * UpIsZ(mesh.mVertices[v], options_.up);
+            const Vec3 p = PositionM(Vector(mesh.mVertices[v])) - moved_m_;
             if (!(p.cwiseAbs().maxCoeff() <= 1e15)) {  // Also if it is not a number.
                 throw Error(file_ + ": mesh " + mesh.mName.C_Str() + ", vertex " +
                             std::to_string(v) + ": must be finite and at most 1e15 m from 0");
@@ -142,8 +213,8 @@ class Converter {
     void AddNormals(const aiMesh& mesh) {
         has_normals_ = has_normals_ || mesh.HasNormals();
         for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-            const Vec3 n =
-                mesh.HasNormals() ? UpIsZ(mesh.mNormals[v], options_.up) : Vec3(0, 0, 0);
+            const Vec3 n = mesh.HasNormals() ? UpIsZ(Vector(mesh.mNormals[v]), options_.up)
+                                             : Vec3(0, 0, 0);
             out_.mesh.normals.push_back(UnitOrZero(n));
         }
     }
@@ -183,6 +254,7 @@ class Converter {
     const MeshFileOptions& options_;
     std::vector<unsigned> uv_channel_;  // Of each material.
     bool has_normals_ = false, has_uvs_ = false;
+    Vec3 moved_m_ = Vec3::Zero();  // Taken from what the reader gives.
     MeshFile out_;
 };
 
@@ -212,13 +284,14 @@ MeshFile ReadByAssimp(const std::filesystem::path& path, const MeshFileOptions& 
     try {
         const Warnings warnings;
         Assimp::Importer importer;
-        const aiScene* scene = Parse(importer, file);
+        Vec3 origin;
+        const aiScene* scene = Parse(importer, file, origin);
         if (!scene) throw Error(file + ": " + importer.GetErrorString());
         for (const std::string& line : warnings.Lines()) {
             // assimp puts another vertex in its place and goes on.
             if (line.find("out of range") != std::string::npos) throw Error(file + ": " + line);
         }
-        MeshFile read = Converter(path, options).Convert(*scene);
+        MeshFile read = Converter(path, options).Convert(*scene, origin);
         for (const std::string& line : warnings.Lines()) {
             read.notes.push_back(file + ": " + line);
         }

@@ -33,6 +33,8 @@ struct MeshFile {
     std::vector<std::uint16_t> material_of_face;
     std::vector<Material> materials;
     std::vector<Texture> textures;
+    /// Vertices are relative to it: not 0 if the file's lie far from theirs (io/far_mesh.h).
+    Vec3 origin_m = Vec3::Zero();
     std::vector<std::string> notes;  ///< What was left out, for the report.
 };
 

@@ -1,7 +1,9 @@
 #include "io/scene_file.h"
 
 #include <cmath>
+#include <iomanip>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/conventions.h"
 #include "core/error.h"
@@ -168,6 +170,19 @@ class Reader {
             if (albedo) m.albedo = *albedo;
             if (m.texture != Material::kNoTexture) m.texture += int(texture);
         }
+        if (vertex == 0 && !read.origin_m.isZero(0)) {
+            out_.origin_m = read.origin_m;
+            std::ostringstream note;
+            note << std::setprecision(17) << file_ << ": all positions are kept relative to ("
+                 << read.origin_m.x() << ", " << read.origin_m.y() << ", " << read.origin_m.z()
+                 << ") m, because floats would round them there";
+            out_.notes.push_back(note.str());
+        }
+        const Vec3 shift_m = read.origin_m - out_.origin_m;
+        if (!shift_m.isZero(0)) {
+            for (Vec3f& v : read.mesh.vertices_m)
+                v = (v.cast<double>() + shift_m).cast<float>();
+        }
         const auto append = [](auto& to, const auto& from) {
             to.insert(to.end(), from.begin(), from.end());
         };
@@ -220,7 +235,7 @@ class Reader {
         if (fields.IsList("point_lights")) {
             out_.has_light = true;
             ReadEach(fields, "point_lights", [&](JsonFields& of) {
-                const Vec3 position_m = NeedVector(of, "position_m");
+                const Vec3 position_m = NeedVector(of, "position_m") - out_.origin_m;
                 light.points.push_back(
                     {.position_m = position_m, .intensity = NeedColour(of, "intensity")});
             });
@@ -242,8 +257,8 @@ class Reader {
         Camera camera;
         camera.name = "camera_" + std::to_string(out_.scene.cameras.size());
         if (const auto name = fields.Text("name")) camera.name = *name;
-        camera.position_m = NeedVector(fields, "position_m");
-        camera.target_m = NeedVector(fields, "target_m");
+        camera.position_m = NeedVector(fields, "position_m") - out_.origin_m;
+        camera.target_m = NeedVector(fields, "target_m") - out_.origin_m;
         if (const auto up = fields.Numbers("up", kFinite)) {
             const auto x = Three(fields, "up", *up);
             camera.up = {x[0], x[1], x[2]};

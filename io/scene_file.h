@@ -38,6 +38,8 @@ struct SceneFile {
     Scene scene;
     std::string generator;  ///< Of scenes/catalogue.h; empty if there are mesh files.
     std::vector<HeightsEntry> heights;  ///< To be added to the scene's surfaces by the caller.
+    /// Everything in `scene` is relative to it: not 0 if the first mesh lies far from 0.
+    Vec3 origin_m = Vec3::Zero();
     bool has_light = false;
     bool has_cameras = false;
     std::vector<std::filesystem::path> files;  ///< That it was read from, itself first.

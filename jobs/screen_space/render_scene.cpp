@@ -100,6 +100,7 @@ RenderResult RenderScene(const LoadedScene& loaded, const RenderJob& job,
               {"plumb:scene", scene.name},
               {"plumb:scene_sha256", loaded.digest},
               {"plumb:camera", camera.name},
+              {"plumb:near_plane_m", std::to_string(gbuffer.range.near_m)},
               {"plumb:technique", technique.name}});
     return result;
 }

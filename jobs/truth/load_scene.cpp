@@ -26,13 +26,18 @@ void Append(std::string& bytes, const std::vector<T>& values) {
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
 }
 
-std::string Digest(const Scene& scene) {
+}  // namespace
+
+std::string DigestOf(const Scene& scene) {
     std::string bytes;
     Append(bytes, scene.mesh.vertices_m);
     Append(bytes, scene.mesh.quads);
     Append(bytes, scene.material_of_face);
     Append(bytes, scene.mesh.normals);
     Append(bytes, scene.mesh.uvs);
+    // How many there are: no two lists run into the same bytes.
+    Append(bytes, std::vector{scene.materials.size(), scene.textures.size(),
+                              scene.light.directional.size(), scene.light.points.size()});
     for (const Material& material : scene.materials) {
         Append(bytes, std::vector{material.albedo});
         Append(bytes, std::vector{material.texture, int(material.alpha_tested)});
@@ -58,8 +63,10 @@ std::string Digest(const Scene& scene) {
     return Sha256Hex(bytes);
 }
 
+namespace {
+
 // Adds the surface of a height map with a material of its own.
-void AddHeights(const HeightsEntry& entry, Scene& scene) {
+void AddHeights(const HeightsEntry& entry, const Vec3& origin_m, Scene& scene) {
     SurfaceOptions options;
     options.amplitude_m = entry.amplitude_m;
     const Surface surface = LoadSurface(entry.name, options);
@@ -70,7 +77,10 @@ void AddHeights(const HeightsEntry& entry, Scene& scene) {
     if (faces > kMostFaces) {
         throw Error(MustBe(entry.name + ": faces of all tiles", faces, "at most 2^28"));
     }
-    const Mesh mesh = ToMesh(surface.field, endless ? entry.tiles : 0);
+    Mesh mesh = ToMesh(surface.field, endless ? entry.tiles : 0);
+    if (!origin_m.isZero(0)) {
+        for (Vec3f& v : mesh.vertices_m) v = (v.cast<double>() - origin_m).cast<float>();
+    }
     const std::size_t first = scene.mesh.vertices_m.size();
     if (first + mesh.vertices_m.size() > 0xffffffffu || scene.materials.size() >= 0xffffu) {
         throw Error(scene.name + ": more than 2^32 vertices or 65535 materials in all");
@@ -102,7 +112,7 @@ LoadedScene LoadScene(const std::string& name) {
         loaded.techniques = std::move(file.techniques);
         for (const HeightsEntry& entry : file.heights) {
             try {
-                AddHeights(entry, loaded.scene);
+                AddHeights(entry, file.origin_m, loaded.scene);
             } catch (const Error& error) {
                 throw Error(entry.asked_by + ": " + error.what());
             }
@@ -118,7 +128,7 @@ LoadedScene LoadScene(const std::string& name) {
         loaded.scene = SceneKindNamed(name.starts_with("make:") ? name.substr(5) : name).make();
     }
     Validate(loaded.scene);
-    loaded.digest = Digest(loaded.scene);
+    loaded.digest = DigestOf(loaded.scene);
     return loaded;
 }
 

@@ -19,6 +19,9 @@ struct LoadedScene {
 /// "hall.json" (docs/scenes.md), or "make:KIND" or KIND for a generated one. Throws Error.
 LoadedScene LoadScene(const std::string& name);
 
+/// SHA-256 of all of a scene that its light depends on: not of names, nor of cameras.
+std::string DigestOf(const Scene& scene);
+
 /// The camera of that name, the first if it is empty. Throws Error, listing the names.
 const Camera& CameraNamed(const Scene& scene, const std::string& name);
 

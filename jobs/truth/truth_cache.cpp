@@ -36,7 +36,8 @@ std::optional<TruthCounts> TruthCache::Load() {
         if (job_.resume) throw Error("resume without a cache, must have one");
         return std::nullopt;
     }
-    if (!std::filesystem::exists(path_)) {
+    std::error_code none;
+    if (!std::filesystem::exists(path_, none)) {
         return refuse(
             "is missing: nothing was kept of this scene, view, seed and these quantities");
     }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/content_hash.h"
+#include "jobs/truth/sources_hash.h"
 
 namespace plumb {
 namespace {
@@ -147,10 +148,12 @@ void Merge(TruthCounts& all, TruthCounts&& later) {
 std::string KeyOfTruth(const LoadedScene& loaded, const Camera& camera, const TruthJob& job,
                        const std::string& tool_version) {
     std::ostringstream text;
-    text << std::hexfloat << tool_version << ' ' << loaded.digest << ' ' << job.seed << ' '
-         << job.alpha << ' ' << job.V << ' ' << job.irradiance << ' ' << job.beauty << ' '
-         << job.bounces << ' ' << job.reach_m << ' ' << int(job.falloff) << ' '
-         << camera.fov_rad << ' ' << camera.width_px << ' ' << camera.height_px;
+    const bool walks = job.bounces > 0, near = job.reach_m > 0;
+    text << std::hexfloat << tool_version << ' ' << TruthSourcesHash() << ' ' << loaded.digest
+         << ' ' << job.seed << ' ' << job.alpha << ' ' << (job.V && !walks) << ' '
+         << job.irradiance << ' ' << job.beauty << ' ' << job.bounces << ' ' << job.reach_m
+         << ' ' << (near ? int(job.falloff) : 0) << ' ' << camera.fov_rad << ' '
+         << camera.width_px << ' ' << camera.height_px;
     for (const Vec3& v : {camera.position_m, camera.target_m, camera.up}) {
         text << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
     }

@@ -39,7 +39,8 @@ struct TruthSizes {
 /// Adds later points of the same nets.
 void Merge(TruthCounts& all, TruthCounts&& later);
 
-/// SHA-256 of all that decides the counts, but not of when to stop.
+/// SHA-256 of all that decides the counts, the code that makes them too, but not of when to
+/// stop nor of what is derived from the counts (albedos).
 std::string KeyOfTruth(const LoadedScene& loaded, const Camera& camera, const TruthJob& job,
                        const std::string& tool_version);
 

@@ -17,6 +17,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/program_monitor.h"
 #include "core/time_in_turns.h"
 
 namespace plumb::app {
@@ -36,8 +37,12 @@ class TerminalMonitor : public Monitor {
     explicit TerminalMonitor(bool draw) : draw_(draw) {
         std::signal(SIGINT, OnInterrupt);
         std::signal(SIGTERM, OnInterrupt);
+        SetProgramMonitor(this);
     }
-    ~TerminalMonitor() override { Clear(); }
+    ~TerminalMonitor() override {
+        SetProgramMonitor(nullptr);
+        Clear();
+    }
 
     void Progress(std::string_view stage, double done) override {
         if (!draw_) return;

@@ -92,6 +92,39 @@ grep -q '"stopped_by": "interruption"' stopped/truth.json || fail "the reason is
 "${run[@]}" --out stopped --resume || fail "going on after an interrupt"
 cmp whole/truth.exr stopped/truth.exr || fail "truth.exr differs after an interrupt and --resume"
 
+# Ctrl-C is heard within two seconds of both threads' work, however many samples there are: the
+# processor's time is counted, which others on the machine do not take away.
+ticks() { awk '{ sub(/.*\) /, ""); print $12 + $13 }' "/proc/$1/stat" 2>/dev/null || echo 0; }
+# stops_soon COMMAND...: interrupted once it has computed for two seconds.
+stops_soon() {
+  "$@" >stdout 2>stderr &
+  local pid=$! second before after status
+  second=$(getconf CLK_TCK)
+  until [ "$(ticks $pid)" -ge $((2 * second)) ]; do
+    kill -0 $pid 2>/dev/null || { fail "ended before it was interrupted: $*"; return; }
+    sleep 0.05
+  done
+  before=$(ticks $pid)
+  after=$before
+  kill -INT $pid
+  while kill -0 $pid 2>/dev/null && [ -r /proc/$pid/stat ]; do
+    local now
+    now=$(ticks $pid)
+    [ "${now:-0}" -gt "$after" ] && after=$now
+    [ $((after - before)) -gt $((60 * second)) ] && kill -KILL $pid
+    sleep 0.02
+  done
+  wait $pid
+  status=$?
+  [ $status -eq 130 ] || fail "status $status, not 130, after an interrupt: $*"
+  [ $((after - before)) -le $((4 * second)) ] ||
+    fail "$((after - before)) ticks of $second from the interrupt to the end: $*"
+}
+stops_soon "$plumb" truth atrium --facets --spp 1048576 --bounces 3 --out slow
+stops_soon "$plumb" truth atrium --facets --spp 1048576 --out slow
+stops_soon "$plumb" truth atrium --width 64 --height 64 --irradiance --beauty --spp 1073741824 --no-cache --out slow
+stops_soon "$plumb" render atrium --technique rays-8 --samples 4096 --out slow
+
 # Every triangle, in a table: a head and one line each.
 refused 'a power of two' "$plumb" truth wedge --facets --spp 100
 "$plumb" truth wedge --facets --spp 16 --bounces 1 --out facets --quiet || fail "facets"

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/program_monitor.h"
 #include "core/random.h"
 
 namespace plumb {
@@ -151,6 +152,24 @@ TEST_F(Parallel, LoopsMayNest) {
         ParallelFor(5, 1, [&](std::int64_t, std::int64_t) { ++inner; });
     });
     EXPECT_EQ(inner, 20);
+}
+
+// Law: loops that were handed no monitor hear the program's; those that write results do not.
+TEST(ParallelFor, WithoutAMonitorHearsThePrograms) {
+    struct Stop final : Monitor {
+        void Progress(std::string_view, double) override {}
+        bool Cancelled() const override { return true; }
+    } stop;
+    int calls = 0;
+    const auto body = [&](std::int64_t, std::int64_t) { ++calls; };
+    SetProgramMonitor(&stop);
+    EXPECT_THROW(ParallelFor(3, 3, body), Interrupted);
+    EXPECT_EQ(calls, 0);
+    ParallelFor(3, 3, body, DeafMonitor());
+    EXPECT_EQ(calls, 1);
+    SetProgramMonitor(nullptr);
+    ParallelFor(3, 3, body);
+    EXPECT_EQ(calls, 2);
 }
 
 }  // namespace

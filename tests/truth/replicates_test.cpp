@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "core/error.h"
@@ -12,8 +14,11 @@
 #include "core/random.h"
 #include "core/warp.h"
 #include "tests/truth/half_hidden_caster.h"
+#include "truth/beauty.h"
 #include "truth/embree_caster.h"
 #include "truth/escape_walk.h"
+#include "truth/irradiance.h"
+#include "truth/near_visibility.h"
 #include "truth/open_sky.h"
 
 namespace plumb {
@@ -217,6 +222,78 @@ TEST(EscapeCounts, TotalBracketsWhatIsNotKnown) {
     EXPECT_DOUBLE_EQ(total.value, (low + high) / 2);
     EXPECT_LE(total.interval.low, low);
     EXPECT_GE(total.interval.high, high);
+}
+
+// Counts rays, and who asks it whether to stop is told so after `allowed` of them.
+class Stopping final : public RayCaster, public Monitor {
+  public:
+    explicit Stopping(std::int64_t allowed) : allowed_(allowed) {}
+
+    void Closest(std::span<const Ray> rays, std::span<Hit> hits) const override {
+        cast += std::int64_t(rays.size());
+        inner_.Closest(rays, hits);
+    }
+    void Any(std::span<const Ray> rays, std::span<std::uint64_t> met) const override {
+        cast += std::int64_t(rays.size());
+        inner_.Any(rays, met);
+    }
+    void AnyFromPoint(const Ray& ray, std::span<const Vec3f> directions,
+                      std::span<std::uint64_t> met) const override {
+        cast += std::int64_t(directions.size());
+        inner_.AnyFromPoint(ray, directions, met);
+    }
+    GeometryCounts Counts() const override { return {}; }
+    void Progress(std::string_view, double) override {}
+    bool Cancelled() const override { return cast >= allowed_; }
+
+    mutable std::atomic<std::int64_t> cast = 0;
+
+  private:
+    HalfHiddenCaster inner_{Vec3(1, 0, 0), 0.2};
+    std::int64_t allowed_;
+};
+
+// Expected: however many points a receiver has, a stop is heard before 16 receivers have had
+// another 256 points of each of 8 nets, on every thread: not after 2^20 rays of each receiver, which
+// take seconds.
+TEST(InParts, AStopIsHeardWithinAPart) {
+    constexpr std::int64_t kPart = 16 * 256 * 8, kAllowed = 3 * kPart;
+    const Mesh ground = HalfHiddenCaster::Ground();
+    const std::vector<Receiver> receivers(16, Receiver{.spread = false});
+    const NetSampling many{.points = 1 << 17};
+    Scene scene;
+    scene.mesh = ground;
+    scene.material_of_face = {0};
+    scene.materials = {{}};
+    const Camera camera{.position_m = {0, 0, 1},
+                        .target_m = {0, 0, 0},
+                        .up = {0, 1, 0},
+                        .width_px = 4,
+                        .height_px = 4};
+    const std::vector<std::function<void(Stopping&)>> kernels{
+        [&](Stopping& s) { CountOpenSky(s, ground, receivers, {.sampling = many}, s); },
+        [&](Stopping& s) { WalkToTheSky(s, ground, receivers, {.sampling = many}, s); },
+        [&](Stopping& s) { MeasureNear(s, ground, receivers, {.sampling = many}, s); },
+        [&](Stopping& s) { MeasureIrradiance(s, scene, receivers, {.sampling = many}, s); },
+        [&](Stopping& s) { MeasureBeauty(s, scene, camera, many, s); }};
+    SetThreadCount(1);
+    for (std::size_t k = 0; k < kernels.size(); ++k) {
+        Stopping stopping(kAllowed);
+        EXPECT_THROW(kernels[k](stopping), Interrupted) << k;
+        EXPECT_LE(stopping.cast, kAllowed + 2 * kPart) << k;
+    }
+    SetThreadCount(0);
+}
+
+// Expected: parts are the whole: in order, without a gap.
+TEST(InParts, AreTheWhole) {
+    std::int64_t next = 5;
+    InParts({.first = 5, .points = 1000}, SilentMonitor(), [&](const NetSampling& part) {
+        EXPECT_EQ(part.first, next);
+        EXPECT_LE(part.points, 256);
+        next += part.points;
+    });
+    EXPECT_EQ(next, 1005);
 }
 
 TEST(NetSampling, RefusesWhatItCannotDo) {

@@ -77,6 +77,31 @@ TEST(FacetTruth, OfOppositeSquaresIsTheirFormFactor) {
     std::filesystem::remove_all(folder);
 }
 
+// Expected: from the table itself, by definition: the mean of V by area (triangles of 32 and of
+// 2.4 m2), and the root of the mean square of the errors; each value within its interval.
+TEST(FacetTruth, SummaryIsThatOfItsTable) {
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / "plumb_facet_summary";
+    const FacetTruthResult result =
+        MeasureFacetTruth({FloorAndWall(8, 8), {}, ""}, {.spp = 256}, folder);
+    const auto rows = RowsOf(result.csv);
+    ASSERT_EQ(rows.size(), 5u);
+    double area = 0, V = 0, squares = 0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const double a = std::stod(rows[i][1]);
+        area += a;
+        V += a * std::stod(rows[i][5]);
+        squares += std::pow(std::stod(rows[i][6]), 2) / 4;
+        EXPECT_LE(std::stod(rows[i][7]), std::stod(rows[i][5]));
+        EXPECT_GE(std::stod(rows[i][8]), std::stod(rows[i][5]));
+        EXPECT_LT(std::stod(rows[i][7]), std::stod(rows[i][8]));
+    }
+    EXPECT_NEAR(area, 64 + 4.8, 1e-5);
+    EXPECT_NEAR(result.mean_V, V / area, 1e-12);
+    EXPECT_NEAR(result.rms_error_V, std::sqrt(squares), 1e-12);
+    std::filesystem::remove_all(folder);
+}
+
 TEST(FacetTruth, RefusesWhatItCannotMeasure) {
     EXPECT_THROW(Validate(FacetTruthJob{.spp = 100}), Error);
     EXPECT_THROW(Validate(FacetTruthJob{.spp = 8}), Error);

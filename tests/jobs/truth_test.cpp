@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -82,6 +83,10 @@ TEST_F(Truths, SameBytesOnOneAndTwoThreads) {
 TEST_F(Truths, GoesOnToTheSameBytes) {
     TruthJob job = Small(64);
     job.irradiance = job.beauty = true;
+    job.bounces = 3;
+    job.albedos = {0.5};
+    job.reach_m = 0.4;
+    job.falloff = Falloff::kLinear;
     job.cache = Path("cache");
     Measure("part", job);
     job.max_spp = 512;
@@ -272,6 +277,34 @@ TEST_F(Truths, ChannelsHaveDotsOnlyBeforeParts) {
                                              "E_rho0p5", "E_rho0p125", "irradiance", "beauty",
                                              "depth_m", "normal", "position_m", "albedo",
                                              "triangle_bits"}));
+}
+
+// Where the sky is seen: what docs/scenes.md says, no error, and nothing to doubt.
+TEST_F(Truths, SkyHasItsOwnValues) {
+    TruthJob job = Small(64);
+    job.bounces = 1;
+    job.albedos = {0.5};
+    job.reach_m = 0.5;
+    job.irradiance = true;
+    const TruthResult result = Measure("out", job, "ball_over_plane");
+    const std::map<std::string, float> sky{{"V", 1},         {"alpha", 1},     {"V_near", 1},
+                                           {"E_1", 0},       {"under_way", 0}, {"E_rho0p5", 1},
+                                           {"irradiance", 0}};
+    int seen = 0;
+    for (std::size_t p = 0; p < 24 * 20; ++p) {
+        if (std::isfinite(Channel(result, "depth_m").Pixels()[p])) continue;
+        ++seen;
+        for (const auto& [name, value] : sky) {
+            const std::string part = name == "irradiance" ? ".G" : "";
+            EXPECT_EQ(Channel(result, name + part).Pixels()[p], value) << name;
+            EXPECT_EQ(Channel(result, name + ".error" + part).Pixels()[p], 0) << name;
+            EXPECT_EQ(Channel(result, name + ".low" + part).Pixels()[p], value) << name;
+            EXPECT_EQ(Channel(result, name + ".high" + part).Pixels()[p], value) << name;
+        }
+    }
+    EXPECT_GT(seen, 10);
+    EXPECT_EQ(result.report.pixels_seen, 24 * 20 - seen);
+    EXPECT_EQ(result.report.spp, 64);
 }
 
 // A cube seen from its middle, and from outside; a triangle without area beside it.

@@ -9,6 +9,7 @@
 #include "jobs/screen_space/time_techniques.h"
 #include "score/pareto.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/near_plane.h"
 
 namespace plumb {
 namespace {
@@ -73,7 +74,8 @@ Sweep SweepTechniques(const TechniqueInput& in, const ViewTruth& truth,
     half_camera.width_px = (half_camera.width_px + 1) / 2;
     half_camera.height_px = (half_camera.height_px + 1) / 2;
     const GBuffer half =
-        DrawGBuffer(in.scene, half_camera, {.guard_px = (in.gbuffer.view.guard_px + 1) / 2});
+        DrawGBuffer(in.scene, half_camera,
+                    SuitedTo(in.scene, half_camera, (in.gbuffer.view.guard_px + 1) / 2));
     const TechniqueInput in_half{half, in.scene, half_camera, in.caster};
 
     Sweep sweep;

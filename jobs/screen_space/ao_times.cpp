@@ -7,6 +7,7 @@
 #include "jobs/screen_space/sao_traffic.h"
 #include "jobs/screen_space/time_techniques.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/near_plane.h"
 
 namespace plumb {
 namespace {
@@ -44,7 +45,8 @@ std::vector<PassTimes> TimePasses(const Scene& scene, const Camera& camera,
     double done = 0;
     for (const TimedSize& size : sizes) {
         const Camera sized = SizedAs(camera, size);
-        const GBuffer gbuffer = DrawGBuffer(scene, sized, {.guard_px = size.guard_px});
+        const GBuffer gbuffer =
+            DrawGBuffer(scene, sized, SuitedTo(scene, sized, size.guard_px));
         const TechniqueInput in{gbuffer, scene, sized, caster};
         std::vector<TechniqueTurn> turns;
         for (const Technique& technique : techniques) turns.push_back({&technique, &in});
@@ -73,7 +75,7 @@ std::vector<RadiusTime> TimeRadii(const Scene& scene, const Camera& camera,
                                   const TimedSize& size, int rounds, const Clock& clock,
                                   Monitor& monitor) {
     const Camera sized = SizedAs(camera, size);
-    const GBuffer gbuffer = DrawGBuffer(scene, sized, {.guard_px = size.guard_px});
+    const GBuffer gbuffer = DrawGBuffer(scene, sized, SuitedTo(scene, sized, size.guard_px));
     std::vector<RadiusTime> times;
     const double radii_m[] = {0.1, 0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2};
     for (const double radius_m : radii_m) {

@@ -10,6 +10,7 @@
 #include "jobs/screen_space/sao_traffic.h"
 #include "reports/text.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/near_plane.h"
 
 namespace plumb {
 namespace {
@@ -29,7 +30,7 @@ SizeTimes TimeSize(const Scene& scene, Camera camera, const TimedSize& size,
                    const AoBenchSettings& settings, const RunContext& run) {
     camera.width_px = size.width_px;
     camera.height_px = size.height_px;
-    const GBuffer gbuffer = DrawGBuffer(scene, camera, {.guard_px = size.guard_px});
+    const GBuffer gbuffer = DrawGBuffer(scene, camera, SuitedTo(scene, camera, size.guard_px));
     const SaoOptions sao = SaoWith("supplement2012", {.radius_m = settings.radius_m});
     const SaoOptions alchemy = SaoWith("alchemy", {.radius_m = settings.radius_m});
     const SaoOptions near = SaoWith("supplement2012", {.radius_m = kNearRadiusM, .samples = 9});

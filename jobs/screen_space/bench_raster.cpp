@@ -9,6 +9,7 @@
 #include "jobs/bench_facts.h"
 #include "jobs/memory_copy.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/near_plane.h"
 
 namespace plumb {
 namespace {
@@ -82,12 +83,12 @@ std::vector<doc::Cell> ViewRow(const Scene& scene, Camera camera,
     GBuffer g;
     const std::size_t pixels = std::size_t(camera.width_px) * std::size_t(camera.height_px);
     MemoryCopy copy(16 * pixels);  // Depth and triangle number, read and written.
-    const TurnTimes times =
-        TimeInTurns({{.run = [&] { both.Draw(scene.mesh, camera, {}); }},
-                     {.run = [&] { depth.Draw(scene.mesh, camera, {}, false); }},
-                     {.run = [&] { DrawGBuffer(whole, scene, camera, {}, g); }},
-                     {.run = std::ref(copy)}},
-                    settings.rounds, run.clock, run.monitor);
+    const TurnTimes times = TimeInTurns(
+        {{.run = [&] { both.Draw(scene.mesh, camera, {}); }},
+         {.run = [&] { depth.Draw(scene.mesh, camera, {}, false); }},
+         {.run = [&] { DrawGBuffer(whole, scene, camera, SuitedTo(scene, camera), g); }},
+         {.run = std::ref(copy)}},
+        settings.rounds, run.clock, run.monitor);
     const std::vector<std::uint32_t>& seen = g.triangle.Pixels();
     const auto sky = std::count(seen.begin(), seen.end(), GBuffer::kSky);
     return {camera.name,

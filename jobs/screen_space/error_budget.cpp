@@ -8,6 +8,7 @@
 #include "jobs/screen_space/layered_obscurance.h"
 #include "jobs/screen_space/score_technique.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/near_plane.h"
 
 namespace plumb {
 namespace {
@@ -141,12 +142,13 @@ ErrorBudget MakeErrorBudget(const SaoOptions& shipped, const Scene& scene, const
                             Monitor& monitor) {
     Budget budget(truth, FalloffOf(shipped.sampling.sao.falloff), options.stride_px);
     budget.AddIdeal();
-    const GBuffer gbuffer = DrawGBuffer(scene, camera, {.guard_px = options.guard_px});
+    const GBuffer gbuffer =
+        DrawGBuffer(scene, camera, SuitedTo(scene, camera, options.guard_px));
     SaoOptions integral = Integral(shipped, options.many_taps);
     {
         const int wide_px = std::max(
             options.guard_px, int(std::lround(options.wide_guard_share * camera.height_px)));
-        const GBuffer wide = DrawGBuffer(scene, camera, {.guard_px = wide_px});
+        const GBuffer wide = DrawGBuffer(scene, camera, SuitedTo(scene, camera, wide_px));
         SaoOptions aligned = integral;
         aligned.sampling.taps.hash_shift_px = options.guard_px - wide_px;
         budget.Add("estimator", "the estimator's integral over all layers of depth",
@@ -169,7 +171,7 @@ ErrorBudget MakeErrorBudget(const SaoOptions& shipped, const Scene& scene, const
         budget.Add(step.step, step.what,
                    Shown(SaoObscurance(gbuffer, step.options), gbuffer.view));
     }
-    const GBuffer borderless = DrawGBuffer(scene, camera, {.guard_px = 0});
+    const GBuffer borderless = DrawGBuffer(scene, camera, SuitedTo(scene, camera, 0));
     SaoOptions without = shipped;
     without.sampling.taps.hash_shift_px = options.guard_px;
     ErrorBudget result;

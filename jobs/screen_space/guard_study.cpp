@@ -6,6 +6,7 @@
 #include "core/time_in_turns.h"
 #include "jobs/screen_space/score_technique.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/near_plane.h"
 
 namespace plumb {
 
@@ -41,7 +42,7 @@ std::vector<GuardRow> StudyGuardBand(const Scene& scene, const Camera& camera,
         SaoOptions aligned = options;
         aligned.sampling.taps.hash_shift_px = widths_px.back() - guard_px;
         const auto draw = [&, guard_px] {
-            DrawGBuffer(rasterizer, scene, camera, {.guard_px = guard_px}, gbuffer);
+            DrawGBuffer(rasterizer, scene, camera, SuitedTo(scene, camera, guard_px), gbuffer);
         };
         const auto sao = [&, aligned] { SaoObscurance(gbuffer, aligned, scratch); };
         draw();

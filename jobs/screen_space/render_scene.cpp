@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "io/image_io.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/near_plane.h"
 #include "truth/embree_caster.h"
 
 namespace plumb {
@@ -69,7 +70,7 @@ RenderResult RenderScene(const LoadedScene& loaded, const RenderJob& job,
 
     RenderResult result;
     const double begin_s = run.clock();
-    const GBuffer gbuffer = DrawGBuffer(scene, camera, {.guard_px = guard_px});
+    const GBuffer gbuffer = DrawGBuffer(scene, camera, SuitedTo(scene, camera, guard_px));
     result.seconds.push_back({"G-buffer", run.clock() - begin_s});
     const EmbreeCaster caster(scene);
     run.monitor.Progress("passes", 0.5);

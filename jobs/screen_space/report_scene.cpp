@@ -23,6 +23,7 @@
 #include "jobs/screen_space/signed_picture.h"
 #include "jobs/screen_space/time_techniques.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/near_plane.h"
 #include "screen_space/sao/sao_presets.h"
 #include "truth/embree_caster.h"
 #include "truth/leave_surface.h"
@@ -213,8 +214,8 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
     Rasterizer rasterizer;
     GBuffer again;
     const auto draw = [&] {
-        DrawGBuffer(rasterizer, scene, first.camera, {.guard_px = first.summary.guard_px},
-                    again);
+        DrawGBuffer(rasterizer, scene, first.camera,
+                    SuitedTo(scene, first.camera, first.summary.guard_px), again);
     };
     report.raster_s = TimeInTurns({{draw}}, job.rounds, run.clock, run.monitor).Seconds(0);
 

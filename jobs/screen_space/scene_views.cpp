@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "jobs/screen_space/score_technique.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/near_plane.h"
 
 namespace plumb {
 namespace {
@@ -36,7 +37,7 @@ MeasuredView MeasureView(const Scene& scene, const Camera& camera, int guard_px,
         throw Error(scene.name + ": camera " + camera.name +
                     " sees no surface: there is nothing to score");
     }
-    view.gbuffer = DrawGBuffer(scene, camera, {.guard_px = guard_px});
+    view.gbuffer = DrawGBuffer(scene, camera, SuitedTo(scene, camera, guard_px));
     view.summary = {.camera = camera.name,
                     .width_px = camera.width_px,
                     .height_px = camera.height_px,

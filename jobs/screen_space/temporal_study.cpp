@@ -5,6 +5,7 @@
 #include "core/sobol.h"
 #include "jobs/screen_space/score_technique.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/near_plane.h"
 
 namespace plumb {
 namespace {
@@ -49,7 +50,7 @@ std::vector<TemporalRow> StudyFlicker(const Scene& scene, const Camera& camera,
         seen = Both(seen, RegionsOf(truth).seen);
         truths.push_back(std::move(truth.near.at(Falloff::kHard).value));
         errors.push_back(std::move(truth.near.at(Falloff::kHard).standard_error));
-        const GBuffer gbuffer = DrawGBuffer(scene, at, {.guard_px = options.guard_px});
+        const GBuffer gbuffer = DrawGBuffer(scene, at, SuitedTo(scene, at, options.guard_px));
         for (std::size_t t = 0; t < techniques.size(); ++t) {
             const std::vector<Pass> passes =
                 techniques[t].Made().run({gbuffer, scene, at, caster}, clock);

@@ -5,7 +5,6 @@
 
 #include "core/parallel.h"
 #include "core/surface.h"
-#include "screen_space/raster/near_plane.h"
 #include "screen_space/raster/seen_triangle.h"
 
 namespace plumb {
@@ -171,12 +170,9 @@ void DrawGBuffer(Rasterizer& rasterizer, const Scene& scene, const Camera& camer
         std::any_of(scene.materials.begin(), scene.materials.end(),
                     [](const Material& material) { return material.alpha_tested; });
     const AlphaTest alpha_test = AlphaTestOf(scene);
-    RasterOptions drawn = options;
-    // The default stands for a plane that suits the scene.
-    if (drawn.range == DepthRange{}) drawn.range.near_m = NearPlaneM(scene.mesh, camera);
     const VisibilityBuffer& seen =
-        rasterizer.Draw(scene.mesh, camera, drawn, true, holes ? &alpha_test : nullptr);
-    Resolver(scene, camera, drawn, seen, rasterizer.Vertices(), out).Resolve();
+        rasterizer.Draw(scene.mesh, camera, options, true, holes ? &alpha_test : nullptr);
+    Resolver(scene, camera, options, seen, rasterizer.Vertices(), out).Resolve();
 }
 
 }  // namespace plumb

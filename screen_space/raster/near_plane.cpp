@@ -18,4 +18,11 @@ double NearPlaneM(const Mesh& mesh, const Camera& camera) {
     return near_m;
 }
 
+RasterOptions SuitedTo(const Scene& scene, const Camera& camera, int guard_px) {
+    RasterOptions options;
+    options.guard_px = guard_px;
+    options.range.near_m = NearPlaneM(scene.mesh, camera);
+    return options;
+}
+
 }  // namespace plumb

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "jobs/truth/truth.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/near_plane.h"
 #include "tests/io/temp_folder.h"
 
 namespace plumb {
@@ -90,13 +91,13 @@ TEST_F(FarScenes, AreDrawnTheSame) {
     Camera camera = one.scene.cameras.at(0);
     camera.width_px = 32;
     camera.height_px = 24;
-    const GBuffer g = DrawGBuffer(one.scene, camera);
+    const GBuffer g = DrawGBuffer(one.scene, camera, SuitedTo(one.scene, camera));
     for (const double scale : {1e-3, 1e3}) {
         const LoadedScene scaled = Box({0, 0, 0}, scale);
         Camera its = scaled.scene.cameras.at(0);
         its.width_px = 32;
         its.height_px = 24;
-        const GBuffer h = DrawGBuffer(scaled.scene, its);
+        const GBuffer h = DrawGBuffer(scaled.scene, its, SuitedTo(scaled.scene, its));
         int differ = 0;
         for (std::size_t p = 0; p < g.z_m.Pixels().size(); ++p) {
             if (g.triangle.Pixels()[p] != h.triangle.Pixels()[p]) {

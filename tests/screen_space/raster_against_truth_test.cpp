@@ -97,7 +97,7 @@ Agreement Compare(const Scene& scene, const Camera& camera, const RasterOptions&
     const PixelGeometry truth = LookThrough(caster, scene, camera);
     const GBuffer drawn = DrawGBuffer(scene, camera, options);
     const DepthCurve curve(options.range);
-    const double near_m = drawn.range.near_m;
+    const double near_m = options.range.near_m;
     Agreement out;
     for (int j = 0; j < camera.height_px; ++j) {
         for (int i = 0; i < camera.width_px; ++i) {

@@ -1,8 +1,10 @@
 // What light.exr holds, pixel by pixel (docs/light.md).
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <map>
+#include <string>
 
 #include "core/total_name.h"
 #include "io/image_io.h"
@@ -13,8 +15,9 @@ namespace {
 
 std::map<std::string, Image<float>> MapsOf(const HeightField& field, const SurfaceLight& light,
                                            const std::vector<std::vector<float>>& bounces) {
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "plumb_light_maps";
+    // Of this process alone: CTest runs each test as one, side by side.
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) /
+                                         ("plumb_light_maps_" + std::to_string(::getpid()));
     WriteLightMaps(folder, {field, {}}, light, bounces);
     std::map<std::string, Image<float>> maps;
     for (NamedChannel& channel : ReadChannels(folder / "light.exr")) {

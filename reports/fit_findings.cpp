@@ -110,7 +110,8 @@ std::string CurveSentence(const CurveFit& curve) {
     for (std::size_t j = 0; j < curve.fit.parameters.size(); ++j) {
         const FittedParameter& parameter = curve.fit.parameters[j];
         constants.push_back(Html(parameter.name) + " = " +
-                            WithError(parameter.value, parameter.standard_error.value_or(0)));
+                            WithError(parameter.value, parameter.standard_error.value_or(0)) +
+                            (parameter.at_bound ? " (at its bound)" : ""));
         if (curve.published) published.push_back(Exact(Rounded(curve.published->values[j], 5)));
     }
     std::string text = "<b>" + Html(curve.title) + "</b> refitted: " + Listed(constants);

@@ -88,6 +88,19 @@ TEST(Caveats, TellWhichInputIsNotRead) {
                 ElementsAre("With c = 0 the escape probability does not read alpha."));
 }
 
+// A value that its range holds is none of the data's: the page says so where it is first read.
+TEST(Constants, SayOnTheFirstScreenThatTheyStandAtABound) {
+    FitReport report = MakeFitReport();
+    EXPECT_EQ(ToHtml(report).find("(at its bound)"), std::string::npos);
+    FittedParameter& parameter = report.curves[1].fit.parameters[1];
+    parameter.at_bound = true;
+    parameter.standard_error.reset();
+    const std::string page = ToHtml(report);
+    EXPECT_THAT(
+        page.substr(0, page.find("The recommended formula</h2>")),
+        HasSubstr(parameter.name + " = " + WithError(parameter.value, 0) + " (at its bound)"));
+}
+
 TEST(Constants, SayInTheCsvWhichBoundHoldsThem) {
     FitReport report = MakeFitReport();
     report.curves[1].fit.parameters[1].at_bound = true;

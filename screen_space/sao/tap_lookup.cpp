@@ -18,8 +18,7 @@ void CheckRange(const char* field, double value, double low, double high, const 
 
 void Validate(const TapOptions& taps) {
     CheckRange("samples", taps.samples, 1, 4096, "in [1, 4096]");
-    CheckRange("hash_shift_px", taps.hash_shift_px, -16383, 16383,
-               "in [-16383, 16383]");
+    CheckRange("hash_shift_px", taps.hash_shift_px, -16383, 16383, "in [-16383, 16383]");
     CheckRange("turns", taps.turns, 0, 65536, "in [0, 65536]");
     CheckRange("full_turn_rad", taps.full_turn_rad, 6, 7, "in [6, 7]");
     CheckRange("log2_switch_px", taps.log2_switch_px, 0, 14, "in [0, 14]");

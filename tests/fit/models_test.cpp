@@ -78,9 +78,8 @@ TEST(Models, AnUnknownNameIsAnErrorThatListsTheKnown) {
         FindModel("F2");
         FAIL();
     } catch (const Error& error) {
-        EXPECT_THAT(
-            error.what(),
-            testing::StartsWith("model = F2, must be one of F0; F1; F1, free exponents"));
+        EXPECT_THAT(error.what(), testing::StartsWith(
+                                      "model = F2, must be one of F0; F1; F1, free exponents"));
     }
 }
 

@@ -24,6 +24,9 @@ extern "C" const char* __asan_default_options() {
     // Memory that is not there is bad_alloc, as without the sanitizer.
     return "exitcode=66:allocator_may_return_null=1";
 }
+extern "C" const char* __ubsan_default_options() {
+    return "exitcode=66";
+}
 #endif
 
 namespace plumb {
@@ -170,10 +173,11 @@ ChildEnd EndOf(int status, std::string words) {
             return {Kind::kThrew, std::move(words)};
         case kMemoryStatus:
             return {Kind::kTooMuchMemory, ""};
-        default:
 #ifdef __SANITIZE_ADDRESS__
+        case kSanitizerStatus:
             _exit(kSanitizerStatus);  // Its report is on standard error.
 #endif
+        default:  // A library called exit().
             return {Kind::kCrashed, "status " + std::to_string(WEXITSTATUS(status))};
     }
 }

@@ -5,8 +5,10 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include "core/error.h"
 
@@ -92,6 +94,25 @@ TEST(TryInChild, LimitsMemoryEvenOfWhoCatchesIt) {
 TEST(TryInChild, AReaderThatCallsExitHasCrashed) {
     EXPECT_EQ(TryInChild([] { std::_Exit(0); }, {}).kind, Kind::kCrashed);
 }
+
+#ifdef __SANITIZE_ADDRESS__
+// Our own fault, not the file's: it must not pass for damage.
+TEST(TryInChild, AReportOfEitherSanitizerEndsTheParent) {
+    const auto overflow = [] {
+        volatile int most = std::numeric_limits<int>::max();
+        most = most + 1;
+    };
+    const auto overrun = [] {
+        std::vector<int> one(1);
+        volatile const int* values = one.data();
+        std::_Exit(values[std::size_t(one.size())]);
+    };
+    EXPECT_EXIT(TryInChild(overflow, {}), testing::ExitedWithCode(kSanitizerStatus),
+                "signed integer overflow");
+    EXPECT_EXIT(TryInChild(overrun, {}), testing::ExitedWithCode(kSanitizerStatus),
+                "heap-buffer-overflow");
+}
+#endif
 
 }  // namespace
 }  // namespace plumb

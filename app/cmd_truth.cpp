@@ -44,8 +44,8 @@ void RunTruth(Options o) {
     o.job.V = !o.no_v;
     o.job.use_cache = !o.no_cache;
     o.job.seed = o.common.seed;
-    const TruthResult result = MeasureTruth(LoadScene(o.scene), o.job, o.common.out,
-                                            PLUMB_VERSION, CommandLine(), NowS, *monitor);
+    const TruthResult result =
+        MeasureTruth(LoadScene(o.scene), o.job, ContextOf(o.common, *monitor));
     if (o.common.json) {
         std::cout << ToJsonText(result.report);
     } else if (!o.common.quiet) {

@@ -32,6 +32,11 @@ void OnInterrupt(int signal) {
     std::signal(signal, SIG_DFL);
 }
 
+double NowS() {
+    using namespace std::chrono;
+    return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
 class TerminalMonitor : public Monitor {
   public:
     explicit TerminalMonitor(bool draw) : draw_(draw) {
@@ -151,11 +156,6 @@ std::unique_ptr<Monitor> MakeMonitor(const Common& common) {
     CheckOut(common.out);
     SetThreadCount(common.threads);
     return std::make_unique<TerminalMonitor>(!common.quiet && isatty(STDERR_FILENO));
-}
-
-double NowS() {
-    using namespace std::chrono;
-    return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
 std::string CommandLine() {

@@ -30,9 +30,6 @@ void AddRounds(CLI::App& command, int& rounds);
 /// number of threads. Throws Error or MachineError if --out is empty or cannot be written to.
 std::unique_ptr<Monitor> MakeMonitor(const Common& common);
 
-/// Seconds of the steady clock.
-double NowS();
-
 /// The command line as the user gave it, for provenance: "plumb fit a.png --slices 64". --out,
 /// --threads, --cache, --no-cache, --resume, --quiet and --json are left out: they change no
 /// number.

@@ -9,12 +9,6 @@
 
 namespace plumb {
 
-double HalfWidth(const Estimate& estimate, double confidence) {
-    if (estimate.n < 2) return std::numeric_limits<double>::infinity();
-    return StudentQuantile((1 + confidence) / 2, double(estimate.n - 1)) *
-           estimate.standard_error;
-}
-
 void Moments::Merge(const Moments& later) {
     if (later.n_ == 0) return;
     const double n = double(n_), m = double(later.n_), between = later.mean_ - mean_;
@@ -23,11 +17,14 @@ void Moments::Merge(const Moments& later) {
     n_ += later.n_;
 }
 
-Estimate Moments::Estimate() const {
-    return {.mean = mean_,
-            .standard_error = n_ < 2 ? std::numeric_limits<double>::infinity()
-                                     : std::sqrt(Variance() / double(n_)),
-            .n = n_};
+double Moments::StandardError() const {
+    return n_ < 2 ? std::numeric_limits<double>::infinity()
+                  : std::sqrt(Variance() / double(n_));
+}
+
+double Moments::HalfWidth(double confidence) const {
+    if (n_ < 2) return std::numeric_limits<double>::infinity();
+    return StudentQuantile((1 + confidence) / 2, double(n_ - 1)) * StandardError();
 }
 
 double Percentile(std::vector<double> values, double share) {

@@ -14,18 +14,6 @@
 
 namespace plumb {
 
-/// Mean of n independent samples with its standard error s / sqrt(n). n < 2 says nothing about
-/// the error: it is infinite then.
-struct Estimate {
-    double mean = 0, standard_error = 0;
-    std::int64_t n = 0;
-};
-
-/// Half the width of the two-sided interval that covers the true mean with probability
-/// `confidence` if samples are normal: Student's t with n - 1 degrees of freedom times the
-/// standard error. Infinite for n < 2.
-double HalfWidth(const Estimate& estimate, double confidence);
-
 /// Running mean and variance.
 class Moments {
   public:
@@ -42,7 +30,14 @@ class Moments {
 
     /// Of a sample about the mean, with n - 1: unbiased. 0 for n < 2.
     double Variance() const { return n_ < 2 ? 0 : m2_ / double(n_ - 1); }
-    plumb::Estimate Estimate() const;
+
+    /// Of the mean of independent samples: s / sqrt(n). Infinite for n < 2.
+    double StandardError() const;
+
+    /// Half the width of the two-sided interval that covers the true mean with probability
+    /// `confidence` if samples are normal: Student's t with n - 1 degrees of freedom times the
+    /// standard error. Infinite for n < 2.
+    double HalfWidth(double confidence) const;
 
   private:
     std::int64_t n_ = 0;

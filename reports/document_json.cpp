@@ -25,7 +25,8 @@ Json CellJson(const Cell& cell) {
             return {{"value", NumberJson(m.value)},
                     {"standard_error", NumberJson(m.standard_error)},
                     {"low", NumberJson(m.interval.low)},
-                    {"high", NumberJson(m.interval.high)}};
+                    {"high", NumberJson(m.interval.high)},
+                    {"noise_error", NumberJson(m.noise_error)}};
         }
     };
     return std::visit(Visitor{}, cell);

@@ -129,7 +129,7 @@ std::string EnergySentence(const FitReport& report) {
         furnace = std::max(furnace, map.figures.max_furnace_error);
         if (map.figures.aperture) {
             closed = true;
-            aperture = std::max(aperture, std::abs(map.figures.aperture->mean - 1));
+            aperture = std::max(aperture, std::abs(map.figures.aperture->value - 1));
         }
     }
     std::string text = "The simulation keeps its energy: ";

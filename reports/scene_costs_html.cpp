@@ -41,7 +41,7 @@ std::string SweepHtml(const SceneReport& r, PlotSheet& sheet) {
         if (by_technique[p.technique].empty()) order.push_back(p.technique);
         by_technique[p.technique].push_back(&p);
     }
-    const auto view = [&](const std::string& key, Figure SweepPoint::*error) {
+    const auto view = [&](const std::string& key, Measured SweepPoint::*error) {
         PlotView drawn{.keys = {{"error", key}}, .series = {}, .x = {}, .y = {}};
         for (std::size_t t = 0; t < order.size(); ++t) {
             std::vector<double> x, y;

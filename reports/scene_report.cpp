@@ -44,8 +44,8 @@ void AddLines(const TechniqueScore& t, const std::string& view,
                                         Csv(s.truth),
                                         Csv(s.region),
                                         std::to_string(e.pixels)};
-        for (const Figure* f : {&e.bias, &e.mae, &e.rmse, &e.psnr_db, &e.psnr_paper_db, &s.ssim,
-                                &s.recalibrated_rmse}) {
+        for (const Measured* f : {&e.bias, &e.mae, &e.rmse, &e.psnr_db, &e.psnr_paper_db,
+                                  &s.ssim, &s.recalibrated_rmse}) {
             fields.push_back(Exact(f->value));
             fields.push_back(Exact(f->interval.low));
             fields.push_back(Exact(f->interval.high));
@@ -79,7 +79,7 @@ std::string SweepCsv(const SceneReport& r) {
         std::vector<std::string> fields{Csv(p.technique), Csv(p.setting),
                                         Exact(p.seconds.value), Exact(p.seconds.interval.low),
                                         Exact(p.seconds.interval.high)};
-        for (const Figure* f : {&p.rmse, &p.recalibrated_rmse}) {
+        for (const Measured* f : {&p.rmse, &p.recalibrated_rmse}) {
             fields.push_back(Exact(f->value));
             fields.push_back(Exact(f->interval.low));
             fields.push_back(Exact(f->interval.high));
@@ -90,7 +90,7 @@ std::string SweepCsv(const SceneReport& r) {
     return csv;
 }
 
-std::string WithInterval(const Figure& figure, int significant, double scale) {
+std::string WithInterval(const Measured& figure, int significant, double scale) {
     const std::string value = Digits(scale * figure.value, significant);
     if (!std::isfinite(figure.interval.low) || !std::isfinite(figure.interval.high)) {
         return value;

@@ -27,8 +27,8 @@ struct ScoreAgainst {
     std::string truth;   ///< "V", "V within r", "V within r, weighted"
     std::string region;  ///< "whole", "edges", "interiors", "border"
     ErrorScore error;
-    Figure ssim;
-    Figure recalibrated_rmse;  ///< Held out: after the best monotone change of contrast.
+    Measured ssim;
+    Measured recalibrated_rmse;  ///< Held out: after the best monotone change of contrast.
 };
 
 /// The score against that truth over that region; throws Error if there is none.
@@ -81,7 +81,8 @@ struct BudgetRow {
 /// One way to make the z pyramid: [McGuire12] table 1.
 struct PyramidRow {
     std::string filter;
-    Figure bias_to_none, rms_to_none;  ///< Of A before any filter, against A without a pyramid.
+    Measured bias_to_none,
+        rms_to_none;  ///< Of A before any filter, against A without a pyramid.
     ScoreAgainst against_truth;
 };
 
@@ -89,8 +90,8 @@ struct PyramidRow {
 struct GuardRow {
     double share = 0;  ///< Of the picture's height.
     int guard_px = 0;
-    Figure rms_to_widest;  ///< Of A near the frame, against A with the widest border.
-    ScoreAgainst border;   ///< Near the frame, against V within r, weighted.
+    Measured rms_to_widest;  ///< Of A near the frame, against A with the widest border.
+    ScoreAgainst border;     ///< Near the frame, against V within r, weighted.
     Measured draw_s, sao_s;
 };
 
@@ -98,8 +99,8 @@ struct GuardRow {
 struct SweepPoint {
     std::string technique, setting;
     Measured seconds;
-    Figure rmse, recalibrated_rmse;  ///< Against V within r, of the first view.
-    bool on_front = false;           ///< No other is both faster and better.
+    Measured rmse, recalibrated_rmse;  ///< Against V within r, of the first view.
+    bool on_front = false;             ///< No other is both faster and better.
 };
 
 /// What a pass reads and writes, each datum once.
@@ -199,6 +200,6 @@ std::string WithTies(const Closest& closest);
 std::string ViewsText(const SceneReport& report);
 
 /// "0.119 (0.102 to 0.134)": value and interval, as many digits.
-std::string WithInterval(const Figure& figure, int significant = 3, double scale = 1);
+std::string WithInterval(const Measured& figure, int significant = 3, double scale = 1);
 
 }  // namespace plumb

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json ToJson(const Figure& f) {
+Json ToJson(const Measured& f) {
     return {{"value", f.value},
             {"standard_error", f.standard_error},
             {"low", f.interval.low},

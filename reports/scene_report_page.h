@@ -26,7 +26,7 @@ inline Cell Ms(const Measured& time) {
 }
 
 /// A value with its 95 % interval.
-inline Cell Interval95(const Figure& figure, int significant = 3, double scale = 1) {
+inline Cell Interval95(const Measured& figure, int significant = 3, double scale = 1) {
     const std::string all = WithInterval(figure, significant, scale);
     const auto open = all.find(" (");
     if (open == std::string::npos) return {all, "", ""};
@@ -34,7 +34,7 @@ inline Cell Interval95(const Figure& figure, int significant = 3, double scale =
             "", ""};
 }
 
-inline Cell WithErrorOf(const Figure& figure, double scale = 1) {
+inline Cell WithErrorOf(const Measured& figure, double scale = 1) {
     return {WithError(figure.value * scale, figure.standard_error * scale), "", ""};
 }
 

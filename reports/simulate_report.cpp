@@ -190,7 +190,7 @@ std::string FindingsHtml(const SimulateReport& report) {
             ".</li>\n";
     if (figures.aperture)
         html += "<li>The openings of all facets add up to " +
-                WithError(figures.aperture->mean, figures.aperture->standard_error) +
+                WithError(figures.aperture->value, figures.aperture->standard_error) +
                 " of the ground area; on a closed surface that must be 1.</li>\n";
     if (std::isfinite(figures.light_under_way))
         html += "<li>After " + std::to_string(report.surface.over_alpha.Bounces()) +
@@ -244,7 +244,7 @@ void WriteTable(std::ostream& out, const SimulateReport& report) {
     line("furnace error at albedo 1, worst facet [-]", Digits(figures.max_furnace_error, 2));
     line("light left after the last curve [-]", Digits(figures.light_under_way, 2));
     line("mean of V / n_z, 1 on a closed surface [-]",
-         figures.aperture ? WithError(figures.aperture->mean, figures.aperture->standard_error)
+         figures.aperture ? WithError(figures.aperture->value, figures.aperture->standard_error)
                           : "–");
 }
 

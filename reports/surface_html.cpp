@@ -26,7 +26,7 @@ std::string FigureList(const SurfaceFigures& figures) {
               Digits(figures.light_under_way, 2));
     AddFigure(html, "mean of V / n<sub>z</sub> (1 if closed)",
               figures.aperture
-                  ? WithError(figures.aperture->mean, figures.aperture->standard_error)
+                  ? WithError(figures.aperture->value, figures.aperture->standard_error)
                   : "–");
     return html + "</dl>\n";
 }

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/bounce_histogram.h"
-#include "core/statistics.h"
+#include "core/measured.h"
 
 namespace plumb {
 
@@ -35,7 +35,7 @@ struct SurfaceFigures {
     /// Mean of V / n_z: 1 on a closed (wrapped or mirrored)
     /// surface, whatever its shape. The standard error is that of the sampling, from the
     /// differences between neighbours: too large where the surface is rough from cell to cell.
-    std::optional<Estimate> aperture;
+    std::optional<Measured> aperture;
 };
 
 /// Pictures are data URIs ("data:image/png;base64,..."), made by the caller; empty = not shown.

@@ -104,9 +104,9 @@ Json ToJson(const SurfaceFigures& figures) {
               {"bounces_run", figures.bounces_run},
               {"aperture", nullptr}};
     if (figures.aperture)
-        json["aperture"] = {{"mean", figures.aperture->mean},
+        json["aperture"] = {{"mean", figures.aperture->value},
                             {"standard_error", figures.aperture->standard_error},
-                            {"samples", figures.aperture->n}};
+                            {"samples", figures.facets}};
     return json;
 }
 

@@ -43,10 +43,10 @@ double Total(const std::vector<TileSums>& tiles, double TileSums::*member) {
 
 }  // namespace
 
-Figure RmseOf(const Figure& mse) {
+Measured RmseOf(const Measured& mse) {
     const auto root = [](double x) { return std::sqrt(std::max(x, 0.0)); };
-    Figure rmse{.value = root(mse.value),
-                .interval = {root(mse.interval.low), root(mse.interval.high)}};
+    Measured rmse{.value = root(mse.value),
+                  .interval = {root(mse.interval.low), root(mse.interval.high)}};
     const double slope = 1 / (2 * rmse.value);
     // At 0 the slope is infinite: the interval is all there is to say.
     if (mse.standard_error == 0) rmse.standard_error = 0;
@@ -57,9 +57,10 @@ Figure RmseOf(const Figure& mse) {
     return rmse;
 }
 
-Figure PsnrOf(const Figure& mse, double peak) {
-    Figure psnr{.value = PsnrDb(mse.value, peak),
-                .interval = {PsnrDb(mse.interval.high, peak), PsnrDb(mse.interval.low, peak)}};
+Measured PsnrOf(const Measured& mse, double peak) {
+    Measured psnr{
+        .value = PsnrDb(mse.value, peak),
+        .interval = {PsnrDb(mse.interval.high, peak), PsnrDb(mse.interval.low, peak)}};
     if (mse.standard_error == 0) psnr.standard_error = 0;
     if (mse.value > 0) {
         const double slope = 10 / (std::numbers::ln10 * mse.value);
@@ -156,9 +157,9 @@ ErrorScore ScoreErrors(const Image<float>& candidate, const Image<float>& truth,
     return score;
 }
 
-Figure CompareMse(const Image<float>& a, const Image<float>& b, const Image<float>& truth,
-                  const Image<float>& standard_error, const Mask& mask,
-                  const ErrorOptions& options) {
+Measured CompareMse(const Image<float>& a, const Image<float>& b, const Image<float>& truth,
+                    const Image<float>& standard_error, const Mask& mask,
+                    const ErrorOptions& options) {
     Validate(options);
     CheckSizes(a, truth, standard_error, mask);
     CheckSizes(b, truth, standard_error, mask);
@@ -173,7 +174,7 @@ Figure CompareMse(const Image<float>& a, const Image<float>& b, const Image<floa
         sums.v += 4 * (A - B) * (A - B) * s2;
     });
     const std::vector<std::int64_t> n = Counts(tiles);
-    Figure figure = RatioOverTiles(tiling, Sums(tiles, &TileSums::d), n, options.confidence);
+    Measured figure = RatioOverTiles(tiling, Sums(tiles, &TileSums::d), n, options.confidence);
     double N = 0;
     for (std::int64_t count : n) N += double(count);
     if (N > 0) figure.noise_error = std::sqrt(Total(tiles, &TileSums::v)) / N;

@@ -9,7 +9,7 @@
 //       PSNR       10 log10(1 / MSE)          infinite where it is not positive
 //       psnr_paper 10 log10(255^2 / MSE)      48.13 dB more: what [Hollander13] prints
 //
-// over the pixels of a mask. Intervals: score/figure.h; those of RMSE and PSNR are the
+// over the pixels of a mask. Intervals: score/over_tiles.h; those of RMSE and PSNR are the
 // interval of the MSE, carried over. What the noise of the truth alone does to the bias and
 // the MSE of this picture, the pixels' noises being independent and nearly normal:
 //
@@ -38,7 +38,7 @@
 #include <cstdint>
 
 #include "core/image.h"
-#include "score/figure.h"
+#include "score/over_tiles.h"
 
 namespace plumb {
 
@@ -56,7 +56,7 @@ struct ErrorScore {
     std::int64_t pixels = 0;  ///< Counted. 0: every figure is NaN.
     int tiles = 0;            ///< With at least one of them.
 
-    Figure bias, mae, mse, rmse, psnr_db, psnr_paper_db;
+    Measured bias, mae, mse, rmse, psnr_db, psnr_paper_db;
     double mae_noise_bias = 0;  ///< Noise raised `mae` by this at most.
     double truth_variance = 0;  ///< mean s^2: what was taken off the mean of d^2.
 
@@ -76,13 +76,13 @@ ErrorScore ScoreErrors(const Image<float>& candidate, const Image<float>& truth,
 /// MSE of a less MSE of b, from (a - b)(a + b - 2 t): linear in t, so that the noise of a
 /// shared truth cancels but for noise_error. Its interval tells whether one technique beats
 /// another.
-Figure CompareMse(const Image<float>& a, const Image<float>& b, const Image<float>& truth,
-                  const Image<float>& standard_error = {}, const Mask& mask = {},
-                  const ErrorOptions& options = {});
+Measured CompareMse(const Image<float>& a, const Image<float>& b, const Image<float>& truth,
+                    const Image<float>& standard_error = {}, const Mask& mask = {},
+                    const ErrorOptions& options = {});
 
 /// RMSE and PSNR of an MSE. Both are monotone in it: its interval carries over end by end.
-Figure RmseOf(const Figure& mse);
-Figure PsnrOf(const Figure& mse, double peak);
+Measured RmseOf(const Measured& mse);
+Measured PsnrOf(const Measured& mse, double peak);
 
 /// 10 log10(peak^2 / mse); infinite for mse <= 0.
 double PsnrDb(double mse, double peak = 1);

@@ -10,21 +10,21 @@
 namespace plumb {
 namespace {
 
-std::vector<Figure> Each(std::span<const ErrorScore> views, Figure ErrorScore::*member) {
-    std::vector<Figure> figures;
+std::vector<Measured> Each(std::span<const ErrorScore> views, Measured ErrorScore::*member) {
+    std::vector<Measured> figures;
     for (const ErrorScore& view : views) figures.push_back(view.*member);
     return figures;
 }
 
 }  // namespace
 
-Figure MeanOverViews(std::span<const Figure> views, double confidence) {
+Measured MeanOverViews(std::span<const Measured> views, double confidence) {
     assert(!views.empty() && confidence > 0 && confidence < 1);
     if (views.size() == 1) return views.front();
     const double n = double(views.size());
     Moments moments;
     double noise2 = 0;
-    for (const Figure& view : views) {
+    for (const Measured& view : views) {
         moments.Add(view.value);
         noise2 += view.noise_error * view.noise_error;
     }
@@ -36,18 +36,18 @@ Figure MeanOverViews(std::span<const Figure> views, double confidence) {
             .noise_error = std::sqrt(noise2) / n};
 }
 
-Figure MeanSquareOverViews(std::span<const Figure> views, double confidence) {
-    Figure mean = MeanOverViews(views, confidence);
+Measured MeanSquareOverViews(std::span<const Measured> views, double confidence) {
+    Measured mean = MeanOverViews(views, confidence);
     if (views.size() == 1 || !(mean.value > 0)) return mean;
     const double half = (mean.interval.high - mean.value) / mean.value;
     mean.interval = {mean.value * std::exp(-half), mean.value * std::exp(half)};
     return mean;
 }
 
-Figure RootMeanSquareOverViews(std::span<const Figure> views, double confidence) {
+Measured RootMeanSquareOverViews(std::span<const Measured> views, double confidence) {
     if (views.size() == 1) return views.front();
-    std::vector<Figure> squares(views.begin(), views.end());
-    for (Figure& square : squares) {
+    std::vector<Measured> squares(views.begin(), views.end());
+    for (Measured& square : squares) {
         square.noise_error *= 2 * square.value;
         square.value *= square.value;
     }

@@ -8,7 +8,7 @@
 // mean of the views' MSE. An MSE cannot be negative: with three views, of which t is 4.3, the plain
 // interval would often say that it may be.
 //
-// Tiles of one picture (score/figure.h) tell what another picture of the same kind of surface would
+// Tiles of one picture (score/over_tiles.h) tell what another picture of the same kind of surface would
 // show. Another camera sees other surfaces from other distances, so that the scatter between views
 // is the greater one, and the one that tells of a scene.
 //
@@ -22,17 +22,17 @@
 #include <span>
 
 #include "score/errors.h"
-#include "score/figure.h"
+#include "score/over_tiles.h"
 
 namespace plumb {
 
-Figure MeanOverViews(std::span<const Figure> views, double confidence = 0.95);
+Measured MeanOverViews(std::span<const Measured> views, double confidence = 0.95);
 
 /// Of mean squares.
-Figure MeanSquareOverViews(std::span<const Figure> views, double confidence = 0.95);
+Measured MeanSquareOverViews(std::span<const Measured> views, double confidence = 0.95);
 
 /// Of root mean squares: the root of the mean of their squares.
-Figure RootMeanSquareOverViews(std::span<const Figure> views, double confidence = 0.95);
+Measured RootMeanSquareOverViews(std::span<const Measured> views, double confidence = 0.95);
 
 /// All figures. Pixels and tiles are added up; `max` is the greatest, at its own place.
 ErrorScore ScoreOverViews(std::span<const ErrorScore> views, double confidence = 0.95);

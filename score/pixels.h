@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "core/image.h"
 #include "core/parallel.h"
-#include "score/figure.h"
+#include "score/over_tiles.h"
 
 namespace plumb {
 

@@ -20,8 +20,8 @@
 
 #include "core/image.h"
 #include "score/errors.h"
-#include "score/figure.h"
 #include "score/monotone.h"
+#include "score/over_tiles.h"
 
 namespace plumb {
 

@@ -22,7 +22,7 @@
 
 #include "core/image.h"
 #include "core/vec.h"
-#include "score/figure.h"
+#include "score/over_tiles.h"
 
 namespace plumb {
 

@@ -132,7 +132,7 @@ Image<float> SsimMap(const Image<float>& candidate, const Image<float>& truth,
     return map;
 }
 
-Figure ScoreSsim(const Image<float>& map, const Mask& mask, const ErrorOptions& options) {
+Measured ScoreSsim(const Image<float>& map, const Mask& mask, const ErrorOptions& options) {
     Validate(options);
     CheckSizes(map, map, {}, mask);
     const Tiling tiling(map.Width(), map.Height(), options.tile_px);

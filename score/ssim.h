@@ -24,14 +24,14 @@
 // Domain   Images of one size, finite where the mask `seen` counts.
 // Beware   Pixels that are not `seen` weigh nothing in any window, else the sky, the same in
 //          every picture, would be praised. [Nilsson20] shows what else SSIM is blind to: read
-//          it beside the RMSE, never alone. Figure::noise_error is not known for it.
+//          it beside the RMSE, never alone. Measured::noise_error is not known for it.
 #pragma once
 
 #include <cstdint>
 
 #include "core/image.h"
 #include "score/errors.h"
-#include "score/figure.h"
+#include "score/over_tiles.h"
 
 namespace plumb {
 
@@ -45,7 +45,7 @@ Image<float> SsimMap(const Image<float>& candidate, const Image<float>& truth,
 
 /// Mean of the map over the pixels of `mask` (empty: all) where it is not NaN. Of the options,
 /// the confidence and the tiles are used.
-Figure ScoreSsim(const Image<float>& map, const Mask& mask = {},
-                 const ErrorOptions& options = {});
+Measured ScoreSsim(const Image<float>& map, const Mask& mask = {},
+                   const ErrorOptions& options = {});
 
 }  // namespace plumb

@@ -7,7 +7,7 @@
 // A picture must change when the camera moves: that is no fault. The flicker is the variance
 // of the error alone: 0 for a technique that is wrong in the same way in every frame.
 //
-// Source   ours; intervals over tiles: score/figure.h.
+// Source   ours; intervals over tiles: score/over_tiles.h.
 // Symbols  c candidate, t measured truth, s its standard error.
 // Beware   The noise of the truth must be independent from frame to frame: give every frame a
 //          seed of its own, else too much is subtracted. noise_error is not known here.
@@ -17,7 +17,7 @@
 
 #include "core/image.h"
 #include "score/errors.h"
-#include "score/figure.h"
+#include "score/over_tiles.h"
 
 namespace plumb {
 
@@ -29,7 +29,7 @@ struct MeanAndVariance {
 MeanAndVariance OverFrames(std::span<const Image<float>> frames);
 
 struct TemporalScore {
-    Figure candidate, truth, flicker;
+    Measured candidate, truth, flicker;
 };
 
 /// As many frames of each; `standard_errors` may be empty. The mask holds for every frame.

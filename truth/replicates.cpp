@@ -67,7 +67,7 @@ Measured FromScatter(std::span<const double> sums, std::int64_t n, const SampleS
     const double R = double(sums.size());
     if (!spread.AllAlike()) step = spread.most - spread.least;
     const double error =
-        std::max(moments.Estimate().standard_error, step / (double(n) * std::sqrt(12 * R)));
+        std::max(moments.StandardError(), step / (double(n) * std::sqrt(12 * R)));
     const double mean = moments.Mean();
     const auto rare = RareInterval(sums, n, spread, possible, confidence);
     if (rare) return {.value = mean, .standard_error = error, .interval = *rare};

@@ -62,7 +62,8 @@ SurfaceFigures FiguresOf(const HeightField& field, const Links& links,
     figures.mean_slope_deg = slope_rad / n * 180 / kPi;
     if (field.GetBoundary() != Boundary::kOpen) {
         figures.aperture =
-            Estimate{aperture / n, std::sqrt(differences / (2 * (n - 2)) / n), figures.facets};
+            Measured{.value = aperture / n,
+                     .standard_error = std::sqrt(differences / (2 * (n - 2)) / n)};
     }
     return figures;
 }

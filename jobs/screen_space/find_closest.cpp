@@ -24,9 +24,9 @@ std::vector<double> MeanSquares(const Contestant& contestant,
     return squares;
 }
 
-Figure Difference(const Contestant& a, const Contestant& b,
-                  std::span<const ComparedView> views) {
-    std::vector<Figure> differences;
+Measured Difference(const Contestant& a, const Contestant& b,
+                    std::span<const ComparedView> views) {
+    std::vector<Measured> differences;
     for (std::size_t v = 0; v < views.size(); ++v) {
         differences.push_back(CompareMse(a.pictures[v], b.pictures[v], views[v].truth->value,
                                          views[v].truth->standard_error, *views[v].mask,
@@ -48,7 +48,7 @@ std::vector<std::string> TiesOf(std::size_t winner, std::span<const Contestant> 
     std::vector<std::string> ties;
     for (std::size_t c = 0; c < contestants.size(); ++c) {
         if (c == winner) continue;
-        const Figure difference = Difference(contestants[c], contestants[winner], views);
+        const Measured difference = Difference(contestants[c], contestants[winner], views);
         if (difference.interval.low <= 0 && difference.interval.high >= 0) {
             ties.push_back(contestants[c].name);
         }

@@ -19,7 +19,7 @@
 #include "core/image.h"
 #include "jobs/truth/view_truth.h"
 #include "reports/scene_report.h"
-#include "score/figure.h"
+#include "score/over_tiles.h"
 
 namespace plumb {
 

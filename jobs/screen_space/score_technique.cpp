@@ -78,7 +78,7 @@ std::vector<ScoreAgainst> OverViews(std::span<const ViewScores> views) {
         for (const ScoreAgainst& score : view.scores) {
             if (std::ranges::any_of(all, is_of(score))) continue;
             std::vector<ErrorScore> errors;
-            std::vector<Figure> ssims, recalibrated;
+            std::vector<Measured> ssims, recalibrated;
             for (const ViewScores& other : views) {
                 const auto found = std::ranges::find_if(other.scores, is_of(score));
                 if (found == other.scores.end()) continue;

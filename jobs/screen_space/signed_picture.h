@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/image.h"
-#include "score/figure.h"
+#include "score/over_tiles.h"
 
 namespace plumb {
 

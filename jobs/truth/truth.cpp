@@ -149,9 +149,8 @@ void Validate(const TruthJob& job) {
 }
 
 TruthResult MeasureTruth(const LoadedScene& loaded, const TruthJob& job,
-                         const std::filesystem::path& folder, const std::string& tool_version,
-                         const std::string& command, const Clock& clock, Monitor& monitor) {
-    const double start_s = clock();
+                         const RunContext& run) {
+    const double start_s = run.clock();
     Validate(job);
     const Scene& scene = loaded.scene;
     Camera camera = CameraNamed(scene, job.camera);
@@ -163,8 +162,8 @@ TruthResult MeasureTruth(const LoadedScene& loaded, const TruthJob& job,
     const PixelGeometry pixels = LookThrough(caster, scene, camera);
     TruthResult result;
     TruthReport& report = result.report;
-    report = {.tool_version = tool_version,
-              .command = command,
+    report = {.tool_version = run.version,
+              .command = run.command,
               .scene = scene.name,
               .scene_sha256 = loaded.digest,
               .camera = camera.name,
@@ -184,16 +183,16 @@ TruthResult MeasureTruth(const LoadedScene& loaded, const TruthJob& job,
         report.notes.push_back(std::move(note));
     }
 
-    const TruthPasses passes(caster, scene, camera, pixels, job, monitor);
-    TruthCache cache(job.cache.empty() ? folder / "cache" : job.cache,
-                     KeyOfTruth(loaded, camera, job, tool_version),
+    const TruthPasses passes(caster, scene, camera, pixels, job, run.monitor);
+    TruthCache cache(job.cache.empty() ? run.folder / "cache" : job.cache,
+                     KeyOfTruth(loaded, camera, job, run.version),
                      {.receivers = report.pixels_seen,
                       .pixels = std::int64_t(camera.width_px) * camera.height_px},
                      job);
     TruthCounts counts = cache.Load().value_or(TruthCounts{});
     if (!cache.Note().empty()) report.notes.push_back(cache.Note());
     while ((report.stopped_by = StopRule(counts, job)).empty()) {
-        if (counts.points > 0 && clock() - start_s >= job.max_seconds) {
+        if (counts.points > 0 && run.clock() - start_s >= job.max_seconds) {
             report.stopped_by = "time";
             break;
         }
@@ -220,8 +219,8 @@ TruthResult MeasureTruth(const LoadedScene& loaded, const TruthJob& job,
     report.lost_walks = result.lost.All();
     pictures.AddGeometry();
     result.channels = std::move(pictures.channels);
-    Write(result, folder, loaded, job);
-    result.seconds = clock() - start_s;
+    Write(result, run.folder, loaded, job);
+    result.seconds = run.clock() - start_s;
     return result;
 }
 

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/clock.h"
-#include "core/monitor.h"
+#include "core/run_context.h"
 #include "io/image_io.h"
 #include "jobs/truth/load_scene.h"
 #include "reports/truth_report.h"
@@ -61,9 +60,6 @@ struct TruthResult {
 
 /// Measures and writes truth.exr, truth.json and pictures into `folder`. An interruption after
 /// the first pass writes what there is; before it, Interrupted is thrown.
-TruthResult MeasureTruth(const LoadedScene& loaded, const TruthJob& job,
-                         const std::filesystem::path& folder, const std::string& tool_version,
-                         const std::string& command, const Clock& clock,
-                         Monitor& monitor = SilentMonitor());
+TruthResult MeasureTruth(const LoadedScene& loaded, const TruthJob& job, const RunContext& run);
 
 }  // namespace plumb

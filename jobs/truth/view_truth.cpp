@@ -22,7 +22,7 @@ Measured PlainScatter(const std::vector<Sum>& sums, std::int64_t receiver, int r
     for (int r = 0; r < replicates; ++r) {
         moments.Add(double(sums[std::size_t(receiver * replicates + r)]) / double(n));
     }
-    return {.value = moments.Mean(), .standard_error = moments.Estimate().standard_error};
+    return {.value = moments.Mean(), .standard_error = moments.StandardError()};
 }
 
 TruthImage ImageOf(const PixelGeometry& pixels,

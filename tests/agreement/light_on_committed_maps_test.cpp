@@ -96,22 +96,21 @@ Truth MeasureTruth(const HeightField& field, const std::vector<double>& albedos)
 }
 
 // Of the runs [begin, end): the mean over facets, with its error over runs.
-Estimate MeanOf(const std::vector<Field>& runs, std::size_t begin, std::size_t end,
-                std::size_t albedo, const Facets& facets) {
+Moments MeanOf(const std::vector<Field>& runs, std::size_t begin, std::size_t end,
+               std::size_t albedo, const Facets& facets) {
     Moments moments;
     for (std::size_t run = begin; run < end; ++run) {
         double sum = 0;
         for (const std::size_t f : facets) sum += runs[run][albedo][f];
         moments.Add(sum / double(facets.size()));
     }
-    return moments.Estimate();
+    return moments;
 }
 
 // Error of each facet over runs, pooled where runs are too few to know one facet's own.
 double FacetError(const std::vector<Field>& runs, std::size_t albedo, std::size_t facet,
                   double pooled) {
-    const Estimate own = MeanOf(runs, 0, runs.size(), albedo, {facet});
-    return std::max(own.standard_error, pooled);
+    return std::max(MeanOf(runs, 0, runs.size(), albedo, {facet}).StandardError(), pooled);
 }
 
 void ExpectEveryFacet(const std::vector<Field>& judged, const std::vector<Field>& truth,
@@ -122,14 +121,14 @@ void ExpectEveryFacet(const std::vector<Field>& judged, const std::vector<Field>
     for (std::size_t r = 0; r < albedos.size(); ++r) {
         double pooled2_truth = 0, pooled2_judged = 0;
         for (std::size_t f = 0; f < facets; ++f) {
-            pooled2_truth += std::pow(MeanOf(truth, 0, kNets, r, {f}).standard_error, 2);
-            pooled2_judged += std::pow(MeanOf(judged, 0, kSeeds, r, {f}).standard_error, 2);
+            pooled2_truth += std::pow(MeanOf(truth, 0, kNets, r, {f}).StandardError(), 2);
+            pooled2_judged += std::pow(MeanOf(judged, 0, kSeeds, r, {f}).StandardError(), 2);
         }
         const double pooled_truth = std::sqrt(pooled2_truth / double(facets));
         const double pooled_judged = std::sqrt(pooled2_judged / double(facets));
         for (std::size_t f = 0; f < facets; ++f) {
-            const double off =
-                MeanOf(judged, 0, kSeeds, r, {f}).mean - MeanOf(truth, 0, kNets, r, {f}).mean;
+            const double off = MeanOf(judged, 0, kSeeds, r, {f}).Mean() -
+                               MeanOf(truth, 0, kNets, r, {f}).Mean();
             const double error = std::hypot(FacetError(truth, r, f, pooled_truth),
                                             FacetError(judged, r, f, pooled_judged));
             ASSERT_LE(std::abs(off), z * error + bound)
@@ -145,12 +144,12 @@ void ExpectDeepFacetsMean(const std::vector<Field>& judged, const std::vector<Fi
     const double t_truth = StudentQuantile(share, kNets - 1);
     const double t_judged = StudentQuantile(share, kSeeds - 1);
     for (std::size_t r = 0; r < albedos.size(); ++r) {
-        const Estimate says = MeanOf(judged, 0, kSeeds, r, deep);
-        const Estimate is = MeanOf(truth, 0, kNets, r, deep);
+        const Moments says = MeanOf(judged, 0, kSeeds, r, deep);
+        const Moments is = MeanOf(truth, 0, kNets, r, deep);
         const double sampling =
-            std::hypot(t_truth * is.standard_error, t_judged * says.standard_error);
+            std::hypot(t_truth * is.StandardError(), t_judged * says.StandardError());
         EXPECT_LE(sampling, kCutBound) << "too unsure to fail";
-        EXPECT_LE(std::abs(says.mean - is.mean), sampling + bound)
+        EXPECT_LE(std::abs(says.Mean() - is.Mean()), sampling + bound)
             << deep.size() << " facets, albedo " << albedos[r];
     }
 }
@@ -173,10 +172,10 @@ double Rms(const std::vector<Field>& judged, const std::vector<Field>& truth,
     double sum = 0;
     for (const Facets& group : groups) {
         for (std::size_t r = 0; r < albedos; ++r) {
-            sum += (MeanOf(judged, 0, kSeeds / 2, r, group).mean -
-                    MeanOf(truth, 0, kNets / 2, r, group).mean) *
-                   (MeanOf(judged, kSeeds / 2, kSeeds, r, group).mean -
-                    MeanOf(truth, kNets / 2, kNets, r, group).mean);
+            sum += (MeanOf(judged, 0, kSeeds / 2, r, group).Mean() -
+                    MeanOf(truth, 0, kNets / 2, r, group).Mean()) *
+                   (MeanOf(judged, kSeeds / 2, kSeeds, r, group).Mean() -
+                    MeanOf(truth, kNets / 2, kNets, r, group).Mean());
         }
     }
     return std::sqrt(std::max(0.0, sum / double(groups.size() * albedos)));

@@ -222,7 +222,7 @@ double InteractionVariance(std::uint32_t other_pair) {
         }
         moments.Add(equal / double(n));
     }
-    EXPECT_NEAR(moments.Mean(), 0.5, kSigmas * moments.Estimate().standard_error);
+    EXPECT_NEAR(moments.Mean(), 0.5, kSigmas * moments.StandardError());
     return moments.Variance() * 4 * n;
 }
 
@@ -274,8 +274,7 @@ TEST(Sobol, StudentIntervalsOverReplicatesCoverAsOftenAsTheySay) {
             }
             means.Add(inside / 256.);
         }
-        const Estimate estimate = means.Estimate();
-        covered += std::abs(estimate.mean - truth) <= HalfWidth(estimate, 0.95);
+        covered += std::abs(means.Mean() - truth) <= means.HalfWidth(0.95);
     }
     const Interval rate = ClopperPearsonInterval(covered, runs, 1 - kLevel);
     EXPECT_LE(rate.low, 0.95);

@@ -60,20 +60,19 @@ TEST(Moments, MergingWithNothingChangesNothing) {
 }
 
 TEST(Moments, TheStandardErrorIsThatOfTheMean) {
-    const Estimate estimate = Of({2, 4, 4, 4, 5, 5, 7, 9}).Estimate();
-    EXPECT_DOUBLE_EQ(estimate.standard_error, std::sqrt(32. / 7 / 8));
-    EXPECT_EQ(estimate.n, 8);
+    EXPECT_DOUBLE_EQ(Of({2, 4, 4, 4, 5, 5, 7, 9}).StandardError(), std::sqrt(32. / 7 / 8));
 }
 
 TEST(Moments, OneSampleSaysNothingOfTheError) {
-    EXPECT_EQ(Of({3}).Estimate().standard_error, kInfinity);
-    EXPECT_EQ(HalfWidth(Of({3}).Estimate(), 0.95), kInfinity);
+    EXPECT_EQ(Of({3}).StandardError(), kInfinity);
+    EXPECT_EQ(Of({3}).HalfWidth(0.95), kInfinity);
     EXPECT_EQ(Moments().Variance(), 0);
 }
 
 // t of 0.975 with 7 degrees of freedom is 2.364624 (distributions_test.cpp).
-TEST(HalfWidth, IsStudentsFactorTimesTheStandardError) {
-    EXPECT_NEAR(HalfWidth({.mean = 9, .standard_error = 2, .n = 8}, 0.95), 2 * 2.364624, 1e-6);
+TEST(Moments, TheHalfWidthIsStudentsFactorTimesTheStandardError) {
+    EXPECT_NEAR(Of({2, 4, 4, 4, 5, 5, 7, 9}).HalfWidth(0.95), std::sqrt(32. / 7 / 8) * 2.364624,
+                1e-6);
 }
 
 // Definition 7: position share * (n - 1) among the sorted values 1 2 4 8.

@@ -53,10 +53,10 @@ Replicates Replicate(int replicates, Make make) {
 // Two means apart by more than chance at kLevel: Student's t with the lesser of the two degrees
 // of freedom (Welch's are never fewer).
 double ExcessOfTwo(const Moments& a, const Moments& b, double bias) {
-    const Estimate x = a.Estimate(), y = b.Estimate();
-    const double error = std::hypot(x.standard_error, y.standard_error);
-    const double t = StudentQuantile(1 - kLevel / 2, double(std::min(x.n, y.n) - 1));
-    const double off = std::abs(x.mean - y.mean) - bias;
+    const double error = std::hypot(a.StandardError(), b.StandardError());
+    const double t =
+        StudentQuantile(1 - kLevel / 2, double(std::min(a.Count(), b.Count()) - 1));
+    const double off = std::abs(a.Mean() - b.Mean()) - bias;
     return off <= 0 ? 0 : off / (t * error);
 }
 
@@ -80,8 +80,8 @@ TEST(SlicesAndRays, AgreeFacetByFacet) {
                     EXPECT_LE(ExcessOfTwo(slices[i][k], rays[i][k], bias), 1)
                         << kNames[k] << " of facet " << i << ": " << slices[i][k].Mean()
                         << " by slices, " << rays[i][k].Mean() << " by rays";
-                    error = std::max(error, slices[i][k].Estimate().standard_error);
-                    error = std::max(error, rays[i][k].Estimate().standard_error);
+                    error = std::max(error, slices[i][k].StandardError());
+                    error = std::max(error, rays[i][k].StandardError());
                 }
             }
             // So small that a wrong sign or facet would show.

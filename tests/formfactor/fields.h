@@ -42,7 +42,7 @@ inline const double kLevel = SidakLevel(1e-3, 20000);
 /// How far `replicates` independent values of a quantity stand from `expected`, in units of
 /// what chance allows at kLevel (Student's t); up to 1 is fine. `bias` is allowed besides.
 inline double Excess(const Moments& replicates, double expected, double bias) {
-    const double chance = HalfWidth(replicates.Estimate(), 1 - kLevel);
+    const double chance = replicates.HalfWidth(1 - kLevel);
     const double off = std::abs(replicates.Mean() - expected) - bias;
     return off <= 0 ? 0 : off / chance;
 }

@@ -235,8 +235,8 @@ TEST(Laws, TheSurfaceSeesThroughItsAperture) {
             EXPECT_LE(Excess(slices, 1, WorstQuadrature(field, 32)), 1) << slices.Mean();
             EXPECT_LE(Excess(rays, 1, 1.0 / 256), 1) << rays.Mean();
             // And the chance is small enough for the test to say something.
-            EXPECT_LT(slices.Estimate().standard_error, 2e-3);
-            EXPECT_LT(rays.Estimate().standard_error, 2e-3);
+            EXPECT_LT(slices.StandardError(), 2e-3);
+            EXPECT_LT(rays.StandardError(), 2e-3);
             EXPECT_LT(WorstQuadrature(field, 32), amplitude > 2 ? 2e-2 : 2e-3);
         }
     }
@@ -259,7 +259,7 @@ TEST(Laws, EffectiveAlbedoLiesBetweenZeroAndTheAlbedo) {
             }
             effective.Add(1 - (1 - rho) * sum / double(field.Facets()));
         }
-        const double slack = HalfWidth(effective.Estimate(), 1 - kLevel) + 1e-9;
+        const double slack = effective.HalfWidth(1 - kLevel) + 1e-9;
         EXPECT_GE(effective.Mean(), -slack);
         EXPECT_LE(effective.Mean(), rho + slack);
         EXPECT_LT(slack, 0.02);

@@ -54,7 +54,8 @@ class FarScenes : public TempFolder {
         job.height_px = 24;
         job.max_spp = 512;
         job.alpha = job.use_cache = false;
-        return MeasureTruth(loaded, job, Path("out"), "test", "command", [] { return 0.0; });
+        return MeasureTruth(loaded, job,
+                            {.version = "test", .command = "command", .folder = Path("out")});
     }
 };
 
@@ -135,7 +136,8 @@ TEST_F(FarScenes, RefuseWhatIsTooFar) {
     job.max_spp = 64;
     job.irradiance = job.beauty = true;
     job.use_cache = false;
-    EXPECT_NO_THROW(MeasureTruth(far, job, Path("out"), "test", "command", [] { return 0.0; }));
+    EXPECT_NO_THROW(MeasureTruth(
+        far, job, {.version = "test", .command = "command", .folder = Path("out")}));
 }
 
 }  // namespace

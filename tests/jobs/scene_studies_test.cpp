@@ -52,9 +52,9 @@ TEST(ViewTruth, LeavesNoErrorOfItsNoise) {
     const ViewTruth coarse = truth(16, 1), fine = truth(4096, 2);
     const Mask seen = RegionsOf(coarse).seen;
     const auto expect = [&](const TruthImage& candidate, const TruthImage& of) {
-        const Figure mse = ScoreErrors(candidate.value, of.value, of.standard_error, seen,
-                                       {.truth_dof = kTruthNets - 1.0})
-                               .mse;
+        const Measured mse = ScoreErrors(candidate.value, of.value, of.standard_error, seen,
+                                         {.truth_dof = kTruthNets - 1.0})
+                                 .mse;
         EXPECT_LT(mse.noise_error, 3e-4);
         EXPECT_LT(std::abs(mse.value), 4 * mse.noise_error);
     };

@@ -70,13 +70,13 @@ TEST(SimulateSurface, StatesTheErrorOfTheApertureIdentity) {
         settings.rays.seed = std::uint64_t(run) + 1;
         settings.bounces = 0;
         const SurfaceLight light = SimulateSurface("waves", waves, settings);
-        means.Add(light.figures.aperture->mean);
+        means.Add(light.figures.aperture->value);
         stated += light.figures.aperture->standard_error / kRuns;
     }
-    const double scatter = means.Estimate().standard_error * std::sqrt(double(kRuns));
+    const double scatter = means.StandardError() * std::sqrt(double(kRuns));
     EXPECT_GT(stated, 0.6 * scatter);
     EXPECT_LT(stated, 1.6 * scatter);
-    EXPECT_NEAR(means.Estimate().mean, 1, 4 * means.Estimate().standard_error);
+    EXPECT_NEAR(means.Mean(), 1, 4 * means.StandardError());
 }
 
 // Expected: alpha = V = 1 and no bounce, exactly: a flat field hides nothing.

@@ -47,7 +47,8 @@ class Truths : public TempFolder {
                         const std::string& scene = "cornell_box",
                         Monitor& monitor = SilentMonitor()) const {
         return MeasureTruth(
-            LoadScene(scene), job, Path(out), "test", "command", [] { return 0.0; }, monitor);
+            LoadScene(scene), job,
+            {.version = "test", .command = "command", .monitor = monitor, .folder = Path(out)});
     }
 
     void ExpectSameFiles(const std::string& a, const std::string& b) const {
@@ -204,9 +205,12 @@ TEST_F(Truths, StopAtWhatWasAskedFor) {
     job.max_seconds = 2.5;
     job.use_cache = false;
     double now = 0;
-    const TruthResult by_time =
-        MeasureTruth(LoadScene("cornell_box"), job, Path("time"), "test", "command",
-                     [&] { return now++; });  // A second a question: start, pass 1, pass 2.
+    const TruthResult by_time = MeasureTruth(
+        LoadScene("cornell_box"), job,
+        {.version = "test",
+         .command = "command",
+         .clock = [&] { return now++; },  // A second a question: start, pass 1, pass 2.
+         .folder = Path("time")});
     EXPECT_EQ(by_time.report.stopped_by, "time");
     EXPECT_EQ(by_time.report.spp, 256);
     // Without V the error is that of beauty.

@@ -148,7 +148,7 @@ FitReport MakeFitReport() {
     figures.mean_alpha = 0.7;
     figures.mean_V = 0.1 + 0.2;  // 0.30000000000000004: seventeen digits.
     figures.max_furnace_error = 1e-6;
-    figures.aperture = Estimate{1.0005, 0.0002, 64};
+    figures.aperture = Measured{.value = 1.0005, .standard_error = 0.0002};
 
     report.curves = {
         MakeCurve(ModelOf<DirectFactorModel>(), "F0", 0, true),

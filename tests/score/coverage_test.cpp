@@ -13,7 +13,7 @@ namespace {
 constexpr int kSize = 96, kRuns = 3000;  // A share of 95 % is known to +- 0.4 % (1 sigma).
 constexpr double kMean = 0.02, kSigma = 0.05;
 
-bool Holds(const Figure& figure, double expected) {
+bool Holds(const Measured& figure, double expected) {
     return figure.interval.low <= expected && expected <= figure.interval.high;
 }
 

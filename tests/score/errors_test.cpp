@@ -45,7 +45,7 @@ TEST(ScoreErrors, TwoByTwoByHand) {
 // squares of d sum to 2 (1/8)^2 + 2 (3/8)^2 = 5/16, so se = sqrt(5/16 / 3 / 4); t_3 at 97.5 %
 // is 3.182446 ([Abramowitz64] table 26.10 gives 3.182).
 TEST(ScoreErrors, IntervalOfTheBiasByHand) {
-    const Figure bias = ScoreErrors(kCandidate, kTruth, {}, {}, kPixelTiles).bias;
+    const Measured bias = ScoreErrors(kCandidate, kTruth, {}, {}, kPixelTiles).bias;
     const double se = std::sqrt(5.0 / 16 / 3 / 4);
     EXPECT_NEAR(bias.standard_error, se, 1e-15);
     EXPECT_NEAR(bias.interval.high, 0.125 + 3.182446 * se, 1e-6);
@@ -83,7 +83,7 @@ TEST(ScoreErrors, CountsTheMaskAlone) {
 TEST(ScoreErrors, OfAPictureAgainstItselfIsZero) {
     const auto image = MadeImage<float>(37, 23, [](int i, int j) { return 0.01 * i * j; });
     const ErrorScore score = ScoreErrors(image, image);
-    for (const Figure* figure : {&score.bias, &score.mae, &score.mse, &score.rmse}) {
+    for (const Measured* figure : {&score.bias, &score.mae, &score.mse, &score.rmse}) {
         EXPECT_EQ(figure->value, 0);
         EXPECT_EQ(figure->standard_error, 0);
         EXPECT_EQ(figure->interval.low, 0);
@@ -118,7 +118,7 @@ TEST(Psnr, TheTableOfThePaper) {
 // (a - b)(a + b - 2 t) = d_a^2 - d_b^2, pixel by pixel.
 TEST(CompareMse, IsTheDifferenceOfTheTwo) {
     const Image<float> other = Of({0.25f, 0.375f, 0.75f, 0.5f});
-    const Figure difference = CompareMse(kCandidate, other, kTruth, {}, {}, kPixelTiles);
+    const Measured difference = CompareMse(kCandidate, other, kTruth, {}, {}, kPixelTiles);
     EXPECT_DOUBLE_EQ(difference.value, ScoreErrors(kCandidate, kTruth).mse.value -
                                            ScoreErrors(other, kTruth).mse.value);
     EXPECT_EQ(CompareMse(other, other, kTruth).value, 0);

@@ -49,7 +49,7 @@ Measurement Measure(int replicates, int run) {
                             MadeNormal(2, pixel, std::uint64_t(run) * replicates + r));
             }
             result.truth(i, j) = float(kTrue(i, j) + moments.Mean());
-            result.standard_error(i, j) = float(moments.Estimate().standard_error);
+            result.standard_error(i, j) = float(moments.StandardError());
         }
     }
     return result;
@@ -85,8 +85,8 @@ TEST_P(TruthNoise, IsTakenOffAndItsErrorIsHonest) {
         z2_mse.Add(std::pow((score.mse.value - mse) / score.mse.noise_error, 2));
         z2_bias.Add(std::pow((score.bias.value - bias) / score.bias.noise_error, 2));
     }
-    EXPECT_NEAR(mses.Mean(), mse, kSigmas * mses.Estimate().standard_error);
-    EXPECT_NEAR(biases.Mean(), bias, kSigmas * biases.Estimate().standard_error);
+    EXPECT_NEAR(mses.Mean(), mse, kSigmas * mses.StandardError());
+    EXPECT_NEAR(biases.Mean(), bias, kSigmas * biases.StandardError());
     const double tolerance = kSigmas * std::sqrt(2.0 / kRuns) + 0.01;
     EXPECT_NEAR(z2_mse.Mean(), 1, tolerance);
     EXPECT_NEAR(z2_bias.Mean(), 1, tolerance);
@@ -108,8 +108,8 @@ TEST(MaeNoise, IsWithinItsBound) {
         bounds.Add(score.mae_noise_bias);
     }
     const double excess = maes.Mean() - mae;
-    EXPECT_GT(excess, kSigmas * maes.Estimate().standard_error);
-    EXPECT_LT(excess + kSigmas * maes.Estimate().standard_error, bounds.Mean());
+    EXPECT_GT(excess, kSigmas * maes.StandardError());
+    EXPECT_LT(excess + kSigmas * maes.StandardError(), bounds.Mean());
     double plain = 0;
     for (int j = 0; j < kHeight; ++j)
         for (int i = 0; i < kWidth; ++i)
@@ -137,11 +137,11 @@ TEST(CompareMseNoise, IsHonest) {
     Moments differences, z2;
     for (int run = 0; run < kRuns; ++run) {
         const Measurement made = Measure(0, run);
-        const Figure figure = CompareMse(kCandidate, other, made.truth, made.standard_error);
+        const Measured figure = CompareMse(kCandidate, other, made.truth, made.standard_error);
         differences.Add(figure.value);
         z2.Add(std::pow((figure.value - expected) / figure.noise_error, 2));
     }
-    EXPECT_NEAR(differences.Mean(), expected, kSigmas * differences.Estimate().standard_error);
+    EXPECT_NEAR(differences.Mean(), expected, kSigmas * differences.StandardError());
     EXPECT_NEAR(z2.Mean(), 1, kSigmas * std::sqrt(2.0 / kRuns));
 }
 

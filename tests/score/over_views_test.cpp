@@ -12,7 +12,7 @@
 namespace plumb {
 namespace {
 
-Figure Of(double value, double noise = 0) {
+Measured Of(double value, double noise = 0) {
     return {.value = value,
             .standard_error = 9,
             .interval = {value - 1, value + 1},
@@ -22,8 +22,8 @@ Figure Of(double value, double noise = 0) {
 // By hand: of 1, 2 and 6 the mean is 3, the variance (4 + 1 + 9) / 2 = 7, so se = sqrt(7/3); t of two
 // degrees of freedom is 4.302653 ([Abramowitz64] table 26.10: 4.303).
 TEST(OverViews, IsTheMeanWithStudentsInterval) {
-    const std::vector<Figure> views{Of(1, 0.3), Of(2, 0.4), Of(6, 1.2)};
-    const Figure mean = MeanOverViews(views);
+    const std::vector<Measured> views{Of(1, 0.3), Of(2, 0.4), Of(6, 1.2)};
+    const Measured mean = MeanOverViews(views);
     EXPECT_DOUBLE_EQ(mean.value, 3);
     EXPECT_NEAR(mean.standard_error, std::sqrt(7 / 3.0), 1e-12);
     EXPECT_NEAR(mean.interval.high, 3 + 4.302653 * std::sqrt(7 / 3.0), 1e-5);
@@ -31,24 +31,24 @@ TEST(OverViews, IsTheMeanWithStudentsInterval) {
     EXPECT_NEAR(mean.noise_error, 1.3 / 3,
                 1e-12);  // 0.3, 0.4 and 1.2: a box's diagonal of 1.3.
 
-    const Figure square = MeanSquareOverViews(views);
+    const Measured square = MeanSquareOverViews(views);
     EXPECT_DOUBLE_EQ(square.value, 3);
     EXPECT_NEAR(square.interval.high, 3 * std::exp(4.302653 * std::sqrt(7 / 3.0) / 3), 1e-4);
     EXPECT_NEAR(square.interval.low * square.interval.high, 9, 1e-9);
 }
 
 TEST(OverViews, OfRootsIsTheRootOfTheMeanSquare) {
-    const std::vector<Figure> roots{Of(3), Of(4), Of(0)};
-    const std::vector<Figure> squares{Of(9), Of(16), Of(0)};
-    const Figure root = RootMeanSquareOverViews(roots), square = MeanSquareOverViews(squares);
+    const std::vector<Measured> roots{Of(3), Of(4), Of(0)};
+    const std::vector<Measured> squares{Of(9), Of(16), Of(0)};
+    const Measured root = RootMeanSquareOverViews(roots), square = MeanSquareOverViews(squares);
     EXPECT_DOUBLE_EQ(root.value, std::sqrt(25 / 3.0));
     EXPECT_DOUBLE_EQ(root.interval.low, std::sqrt(square.interval.low));
     EXPECT_DOUBLE_EQ(root.interval.high, std::sqrt(square.interval.high));
 }
 
 TEST(OverViews, OfOneViewIsThatView) {
-    const std::vector<Figure> one{Of(0.25)};
-    for (const Figure& f :
+    const std::vector<Measured> one{Of(0.25)};
+    for (const Measured& f :
          {MeanOverViews(one), MeanSquareOverViews(one), RootMeanSquareOverViews(one)}) {
         EXPECT_EQ(f.value, 0.25);
         EXPECT_EQ(f.standard_error, 9);
@@ -82,11 +82,11 @@ TEST(OverViews, CoversTheMeanOfAllViews) {
         int held = 0, plain_below_zero = 0;
         constexpr int kRuns = 4000;
         for (int run = 0; run < kRuns; ++run) {
-            std::vector<Figure> views;
+            std::vector<Measured> views;
             for (int v = 0; v < n; ++v) {
                 views.push_back(Of(std::exp(0.4 * MadeNormal(77, std::uint64_t(v), run))));
             }
-            const Figure f = MeanSquareOverViews(views);
+            const Measured f = MeanSquareOverViews(views);
             const double expected = std::exp(0.08);
             held += f.interval.low <= expected && expected <= f.interval.high;
             plain_below_zero += MeanOverViews(views).interval.low < 0;

@@ -95,8 +95,7 @@ TEST(Ssim, TakesOffTheNoiseOfTheTruth) {
     }
     const double done = expected - raw.Mean();
     EXPECT_GT(done, 0.02);
-    EXPECT_NEAR(corrected.Mean(), expected,
-                0.02 * done + kSigmas * corrected.Estimate().standard_error);
+    EXPECT_NEAR(corrected.Mean(), expected, 0.02 * done + kSigmas * corrected.StandardError());
 }
 
 TEST(Ssim, HasNoWindowInASmallPicture) {

@@ -216,7 +216,7 @@ TEST(Gtao, OneSliceIsUnbiasedOverItsTurns) {
     const Image<float> A = Gtao(g, {.sampling = {.radius_m = 0.1, .slices = 1, .steps = 2}});
     Moments moments;
     for (float a : A.Pixels()) moments.Add(a);
-    EXPECT_NEAR(moments.Mean(), 1, 4 * moments.Estimate().standard_error);
+    EXPECT_NEAR(moments.Mean(), 1, 4 * moments.StandardError());
     EXPECT_GT(moments.Variance(), 0.01);
 }
 

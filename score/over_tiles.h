@@ -31,22 +31,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "core/image.h"
-#include "core/intervals.h"
+#include "core/measured.h"
 
 namespace plumb {
-
-struct Figure {
-    double value = std::numeric_limits<double>::quiet_NaN();
-    double standard_error = std::numeric_limits<double>::infinity();
-    Interval interval{-std::numeric_limits<double>::infinity(),
-                      std::numeric_limits<double>::infinity()};
-    /// Standard error from the noise of the truth alone; NaN where that is not known.
-    double noise_error = std::numeric_limits<double>::quiet_NaN();
-};
 
 /// Pixels that count: not 0. An empty image stands for all pixels.
 using Mask = Image<std::uint8_t>;
@@ -67,7 +57,7 @@ struct Tiling {
 
 /// R with its interval from the sums of the tiles, y_b over n_b, in the order of TileOf. NaN
 /// where nothing was counted; an infinite error where fewer than two tiles were.
-Figure RatioOverTiles(const Tiling& tiling, const std::vector<double>& y,
-                      const std::vector<std::int64_t>& n, double confidence);
+Measured RatioOverTiles(const Tiling& tiling, const std::vector<double>& y,
+                        const std::vector<std::int64_t>& n, double confidence);
 
 }  // namespace plumb

@@ -1,8 +1,9 @@
-#include "score/figure.h"
+#include "score/over_tiles.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "core/distributions.h"
 
@@ -52,8 +53,8 @@ PairSums SumsOfPairs(const Tiling& tiling, const std::vector<double>& z,
 
 }  // namespace
 
-Figure RatioOverTiles(const Tiling& tiling, const std::vector<double>& y,
-                      const std::vector<std::int64_t>& n, double confidence) {
+Measured RatioOverTiles(const Tiling& tiling, const std::vector<double>& y,
+                        const std::vector<std::int64_t>& n, double confidence) {
     assert(y.size() == std::size_t(tiling.Count()) && n.size() == y.size());
     assert(confidence > 0 && confidence < 1);
     double Y = 0, N = 0, n2 = 0, B = 0;
@@ -63,7 +64,7 @@ Figure RatioOverTiles(const Tiling& tiling, const std::vector<double>& y,
         n2 += double(n[b]) * double(n[b]);
         B += n[b] > 0;
     }
-    Figure figure;
+    Measured figure{.standard_error = std::numeric_limits<double>::infinity()};
     if (B == 0) return figure;
     figure.value = Y / N;
     if (B < 2) return figure;

@@ -18,16 +18,7 @@
 #include <string_view>
 
 #include "core/error.h"
-
-#ifdef __SANITIZE_ADDRESS__
-extern "C" const char* __asan_default_options() {
-    // Memory that is not there is bad_alloc, as without the sanitizer.
-    return "exitcode=66:allocator_may_return_null=1";
-}
-extern "C" const char* __ubsan_default_options() {
-    return "exitcode=66";
-}
-#endif
+#include "io/sanitizer_blame.h"
 
 namespace plumb {
 namespace {
@@ -35,7 +26,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // How a child that was not killed ends; a sanitizer and exit() of a library have others.
-constexpr int kDoneStatus = 40, kThrewStatus = 41, kMemoryStatus = 42;
+constexpr int kDoneStatus = 40, kThrewStatus = 41, kMemoryStatus = 42, kLibraryStatus = 43;
 constexpr std::size_t kMostWords = 4000;
 
 [[maybe_unused]] std::uint64_t AddressSpaceBytes() {  // A sanitizer's is terabytes.
@@ -80,6 +71,7 @@ void TakeNoMoreThan(const ChildLimits& limits) {
     for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_IGN);
     std::set_terminate([] { std::abort(); });
     TakeNoMoreThan(limits);
+    EndAtReportsOfLibrariesWith(kLibraryStatus);
     std::string what;
     try {
         work();
@@ -169,6 +161,8 @@ ChildEnd EndOf(int status, std::string words) {
     switch (WEXITSTATUS(status)) {
         case kDoneStatus:
             return {Kind::kDone, ""};
+        case kLibraryStatus:
+            return {Kind::kCrashed, "a fault of memory in a library"};
         case kThrewStatus:
             return {Kind::kThrew, std::move(words)};
         case kMemoryStatus:

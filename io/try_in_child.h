@@ -8,8 +8,9 @@
 // Limits   Memory beyond what the parent has is bounded by RLIMIT_AS, its processor's time by
 //          RLIMIT_CPU, and time on the clock by the parent, who kills the child.
 // Beware   The address sanitizer reserves terabytes, so with it there is no limit of memory; what
-//          it reports in the child is printed and ends the parent with the same status,
-//          kSanitizerStatus: a report is no damage of the file.
+//          it reports in the child is printed; a report about this program ends the parent with
+//          the same status, kSanitizerStatus, one about a library (io/sanitizer_blame.h) is a
+//          crash of the child.
 // Cost     the work twice over.
 #pragma once
 

@@ -1,6 +1,7 @@
 #include "io/try_in_child.h"
 
 #include <gtest/gtest.h>
+#include <openssl/evp.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -111,6 +112,19 @@ TEST(TryInChild, AReportOfEitherSanitizerEndsTheParent) {
                 "signed integer overflow");
     EXPECT_EXIT(TryInChild(overrun, {}), testing::ExitedWithCode(kSanitizerStatus),
                 "heap-buffer-overflow");
+}
+
+// What a library asks for on a damaged file, as it would without the sanitizer.
+TEST(TryInChild, AReportAboutALibraryIsACrashOfIt) {
+    const auto overrun = [] {
+        const std::vector<char> few(8);
+        EVP_MD_CTX* context = EVP_MD_CTX_new();
+        EVP_DigestInit_ex(context, EVP_sha256(), nullptr);
+        EVP_DigestUpdate(context, few.data(), 40);
+    };
+    const ChildEnd end = TryInChild(overrun, {});
+    EXPECT_EQ(end.kind, Kind::kCrashed);
+    EXPECT_EQ(end.what, "a fault of memory in a library");
 }
 #endif
 

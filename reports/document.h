@@ -9,7 +9,8 @@
 // algorithm; studies fill them and know of no format. Adding a study is one file.
 //
 // A sentence is plain text, in which `code` is set as code, *words* are stressed, _{low} and
-// ^{high} stand below and above the line. Put names that come from outside through Verbatim().
+// ^{high} stand below and above the line; a sentence that is nothing but `code` keeps its lines
+// and stands by itself. Put names that come from outside through Verbatim().
 //
 // Beware   What differs from run to run (seconds, rates, bytes a second) stands in columns and
 //          facts of Role::kTime and in plots marked so, never in a sentence, so that
@@ -50,6 +51,7 @@ struct Column {
     Role role = Role::kValue;
     Better better = Better::kNeither;
     std::string meaning = {};  ///< One line: how it is defined.
+    bool detail = false;       ///< For machines: page and terminal leave it out.
 };
 
 struct Table {
@@ -58,6 +60,16 @@ struct Table {
     std::string caption = {};  ///< How to read it. A sentence.
     std::vector<Column> columns;
     std::vector<std::vector<Cell>> rows = {};
+
+    /// Its rows compete: a page marks the best of each column that has a better side and shades
+    /// the others by how far they fall behind.
+    bool judged = false;
+    /// The key of a name column: page and terminal set its names side by side, in a table for
+    /// each column of values.
+    std::string across = {};
+    /// Long, and for machines: JSON lists it column by column; page, terminal and the CSV of the
+    /// document leave it out.
+    bool data = false;
 
     /// Throws std::logic_error if there are not as many cells as columns.
     void Add(std::vector<Cell> row);
@@ -89,6 +101,7 @@ struct Section {
     std::string id;  ///< Within its document. [a-z0-9_]
     std::string title;
     bool folded = false;  ///< Shown on demand.
+    bool listed = false;  ///< The sentences are points of a list.
     std::vector<std::string> sentences = {};
     std::vector<Fact> facts = {};
     std::vector<Table> tables = {};
@@ -122,6 +135,10 @@ struct Document {
 
 /// Without what differs from run to run: such facts and plots left out, such columns too.
 Document WithoutTimes(Document document);
+
+/// The tables that people see of it, its columns chosen and set side by side as it says, without
+/// columns that hold nothing in any row. None if nothing but names is left.
+std::vector<Table> Shown(const Table& table);
 
 /// The table of that key, wherever it stands. Throws Error, naming those that there are.
 const Table& TableOf(const Document& document, std::string_view key);

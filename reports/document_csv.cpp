@@ -55,6 +55,7 @@ void AddLines(const std::vector<Section>& sections, std::string& csv) {
             csv += Line(section.id, "", fact.what, fact.value);
         }
         for (const Table& table : section.tables) {
+            if (table.data) continue;
             for (const auto& row : table.rows) {
                 const std::string name = NameOf(table, row);
                 for (std::size_t c = 0; c < row.size(); ++c) {

@@ -1,4 +1,8 @@
 // Documents as pages.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "reports/page.h"
 #include "reports/render.h"
 #include "reports/sentence.h"
@@ -26,6 +30,26 @@ std::string FactsHtml(const std::vector<Fact>& facts) {
     return html + "</div>\n";
 }
 
+/// How far each row falls behind the best of its column, 0 to 1: by the logarithm where less is
+/// better, so that a factor is a factor. NaN where there is nothing to judge.
+std::vector<double> Behind(const Table& table, std::size_t c) {
+    const Better better = table.judged ? table.columns[c].better : Better::kNeither;
+    std::vector<double> behind;
+    double best = std::numeric_limits<double>::infinity(), worst = -best;
+    for (const auto& row : table.rows) {
+        const double x = better == Better::kNeither ? NAN : NumberOf(row[c]);
+        behind.push_back(better == Better::kMore ? -x : std::log(std::abs(x)));
+        if (std::isnan(x)) continue;
+        best = std::min(best, behind.back());
+        if (std::isfinite(behind.back())) worst = std::max(worst, behind.back());
+    }
+    for (double& b : behind) {
+        if (std::isnan(b)) continue;
+        b = b == best ? 0 : std::isfinite(best) ? (b - best) / (worst - best) : 1;
+    }
+    return behind;
+}
+
 std::string TableHtml(const Table& table) {
     std::string html;
     if (!table.title.empty()) html += "<h3>" + Html(table.title) + "</h3>\n";
@@ -44,10 +68,15 @@ std::string TableHtml(const Table& table) {
                 Arrow(column.better) + "</th>";
     }
     html += "</tr></thead>\n<tbody>\n";
-    for (const auto& row : table.rows) {
+    std::vector<std::vector<double>> behind;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) behind.push_back(Behind(table, c));
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+        const auto& row = table.rows[r];
         html += "<tr>";
         for (std::size_t c = 0; c < row.size(); ++c) {
-            html += is_text(c) ? "<td class=\"text\"" : "<td";
+            const double b = behind[c][r];
+            html += is_text(c) ? "<td class=\"text\"" : b == 0 ? "<td class=\"best\"" : "<td";
+            if (!std::isnan(b)) html += " style=\"background:" + HeatColor(b) + "\"";
             const std::string exact = Exact(NumberOf(row[c]));
             if (!exact.empty()) html += " data-value=\"" + exact + "\"";
             html += ">" + Html(CellText(table.columns[c], row[c])) + "</td>";
@@ -68,18 +97,27 @@ std::string PictureHtml(const Picture& picture, const std::string& section) {
 }
 
 std::string SectionHtml(const Section& section, PlotSheet& sheet) {
-    std::string html;
+    std::string html = section.listed ? "<ul class=\"findings\">\n" : "";
     for (const std::string& sentence : section.sentences) {
-        html += "<p>" + SentenceHtml(sentence) + "</p>\n";
+        const std::vector<Span> spans = SpansOf(sentence);
+        const bool code = spans.size() == 1 && spans[0].style == Style::kCode;
+        html += code             ? "<pre>" + Html(spans[0].text) + "</pre>\n"
+                : section.listed ? "<li>" + SentenceHtml(sentence) + "</li>\n"
+                                 : "<p>" + SentenceHtml(sentence) + "</p>\n";
     }
+    if (section.listed) html += "</ul>\n";
     html += FactsHtml(section.facts);
-    for (const Table& table : section.tables) html += TableHtml(table);
+    for (const Table& table : section.tables) {
+        for (const Table& shown : Shown(table)) html += TableHtml(shown);
+    }
     for (const Plots& group : section.plots) {
         std::vector<Plot> plots = group.plots;
         for (Plot& plot : plots) plot.caption = SentenceHtml(plot.caption);
         html += sheet.Group(group.selectors, std::move(plots));
     }
+    if (!section.pictures.empty()) html += "<div class=\"gallery\">\n";
     for (const Picture& picture : section.pictures) html += PictureHtml(picture, section.id);
+    if (!section.pictures.empty()) html += "</div>\n";
     for (const Section& within : section.sections) {
         const std::string inside = SectionHtml(within, sheet), title = Html(within.title);
         html += within.folded

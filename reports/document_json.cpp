@@ -1,5 +1,6 @@
 // Documents as JSON: docs/schema/document-1.json says what is in it.
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "reports/json_text.h"
@@ -66,6 +67,17 @@ Json FactJson(const Fact& fact) {
 Json TableJson(const Table& table) {
     Json columns = Json::array(), rows = Json::array();
     for (const Column& column : table.columns) columns.push_back(ColumnJson(column));
+    Json json{{"key", table.key},
+              {"title", table.title},
+              {"caption", PlainText(table.caption)},
+              {"columns", std::move(columns)}};
+    if (table.data) {
+        for (std::size_t c = 0; c < table.columns.size(); ++c) {
+            Json& values = json["values"][table.columns[c].key] = Json::array();
+            for (const auto& cells : table.rows) values.push_back(CellJson(cells[c]));
+        }
+        return json;
+    }
     for (const auto& cells : table.rows) {
         Json row = Json::object();
         for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -73,23 +85,32 @@ Json TableJson(const Table& table) {
         }
         rows.push_back(std::move(row));
     }
-    return {{"key", table.key},
-            {"title", table.title},
-            {"caption", PlainText(table.caption)},
-            {"columns", std::move(columns)},
-            {"rows", std::move(rows)}};
+    json["rows"] = std::move(rows);
+    return json;
 }
 
-Json NumbersJson(const plumb::Column& column) {
-    Json numbers = Json::array();
-    for (const double x : column.Values()) numbers.push_back(NumberJson(x));
-    return numbers;
-}
+/// Rows of numbers, each once however many series share it.
+class Plotted {
+  public:
+    std::size_t PlaceOf(const plumb::Column& column) {
+        const auto [at, is_new] = places_.emplace(&column.Values(), places_.size());
+        if (is_new) {
+            rows.push_back(Json::array());
+            for (const double x : column.Values()) rows.back().push_back(NumberJson(x));
+        }
+        return at->second;
+    }
 
-Json SeriesJson(const PlotSeries& series) {
+    Json rows = Json::array();
+
+  private:
+    std::map<const std::vector<double>*, std::size_t> places_;
+};
+
+Json SeriesJson(const PlotSeries& series, Plotted& plotted) {
     Json json{{"label", series.label}};
     const auto add = [&](const char* name, const plumb::Column& column) {
-        if (column.Given()) json[name] = NumbersJson(column);
+        if (column.Given()) json[name] = plotted.PlaceOf(column);
     };
     add("x", series.x);
     add("y", series.y);
@@ -98,12 +119,12 @@ Json SeriesJson(const PlotSeries& series) {
     return json;
 }
 
-Json PlotJson(const Plot& plot) {
+Json PlotJson(const Plot& plot, Plotted& plotted) {
     Json views = Json::array();
     for (const PlotView& view : plot.views) {
         Json keys = Json::object(), series = Json::array();
         for (const auto& [key, value] : view.keys) keys[key] = value;
-        for (const PlotSeries& one : view.series) series.push_back(SeriesJson(one));
+        for (const PlotSeries& one : view.series) series.push_back(SeriesJson(one, plotted));
         views.push_back({{"keys", std::move(keys)},
                          {"x_label", view.x ? view.x->label : plot.x.label},
                          {"y_label", view.y ? view.y->label : plot.y.label},
@@ -115,7 +136,7 @@ Json PlotJson(const Plot& plot) {
             {"views", std::move(views)}};
 }
 
-Json SectionsJson(const std::vector<Section>& sections) {
+Json SectionsJson(const std::vector<Section>& sections, Plotted& plotted) {
     Json all = Json::array();
     for (const Section& section : sections) {
         Json json{{"id", section.id},         {"title", section.title},
@@ -128,13 +149,14 @@ Json SectionsJson(const std::vector<Section>& sections) {
         for (const Fact& fact : section.facts) json["facts"].push_back(FactJson(fact));
         for (const Table& table : section.tables) json["tables"].push_back(TableJson(table));
         for (const Plots& group : section.plots) {
-            for (const Plot& plot : group.plots) json["plots"].push_back(PlotJson(plot));
+            for (const Plot& plot : group.plots)
+                json["plots"].push_back(PlotJson(plot, plotted));
         }
         for (const Picture& picture : section.pictures) {
             json["pictures"].push_back({{"alternative", picture.alternative},
                                         {"caption", PlainText(picture.caption)}});
         }
-        json["sections"] = SectionsJson(section.sections);
+        json["sections"] = SectionsJson(section.sections, plotted);
         all.push_back(std::move(json));
     }
     return all;
@@ -147,6 +169,8 @@ Json ToJson(const Document& document) {
     for (const Input& input : document.provenance.inputs) {
         inputs.push_back({{"name", input.name}, {"sha256", input.sha256}});
     }
+    Plotted plotted;
+    Json sections = SectionsJson(document.sections, plotted);
     return {{"schema", "plumb document"},
             {"version", 1},
             {"kind", document.kind},
@@ -157,7 +181,8 @@ Json ToJson(const Document& document) {
               {"command", document.provenance.command},
               {"seed", document.provenance.seed},
               {"inputs", std::move(inputs)}}},
-            {"sections", SectionsJson(document.sections)}};
+            {"sections", std::move(sections)},
+            {"plotted", std::move(plotted.rows)}};
 }
 
 std::string ToJsonText(const Document& document) {

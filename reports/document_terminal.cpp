@@ -28,6 +28,7 @@ std::string Titled(const Column& column) {
     return column.unit.empty() ? column.title : column.title + " [" + column.unit + "]";
 }
 
+/// Its columns of values, so many at a time that a line holds them beside the names.
 std::string TableText(const Table& table, const std::string& indent) {
     std::vector<std::vector<std::string>> lines(1);
     for (const Column& column : table.columns) lines[0].push_back(Titled(column));
@@ -45,24 +46,47 @@ std::string TableText(const Table& table, const std::string& indent) {
             widths[c] = std::max(widths[c], Characters(line[c]));
         }
     }
-    for (const auto& line : lines) {
-        std::string row = indent;
-        for (std::size_t c = 0; c < line.size(); ++c) {
-            const bool name = table.columns[c].role == Role::kName;
-            row += (c == 0 ? "  " : "   ") +
-                   (name ? Left(line[c], widths[c]) : Right(line[c], widths[c]));
+    constexpr int kBetween = 3;
+    const auto is_name = [&](std::size_t c) { return table.columns[c].role == Role::kName; };
+    int names = int(indent.size()) - 1;
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+        if (is_name(c)) names += kBetween + widths[c];
+    }
+    for (std::size_t begin = 0, end = 0; begin < widths.size(); begin = end) {
+        int used = names;
+        for (bool any = false; end < widths.size(); ++end) {
+            if (is_name(end)) continue;
+            used += kBetween + widths[end];
+            if (any && used > int(kColumns)) break;
+            any = true;
         }
-        row.erase(row.find_last_not_of(' ') + 1);
-        text += row + "\n";
+        for (const auto& line : lines) {
+            std::string row = indent + "  ";
+            const char* between = "";
+            for (std::size_t c = 0; c < line.size(); ++c) {
+                if (!is_name(c) && (c < begin || c >= end)) continue;
+                row += between +
+                       (is_name(c) ? Left(line[c], widths[c]) : Right(line[c], widths[c]));
+                between = "   ";
+            }
+            row.erase(row.find_last_not_of(' ') + 1);
+            text += row + "\n";
+        }
     }
     if (!table.caption.empty()) text += Wrapped(PlainText(table.caption), indent + "  ");
     return text;
 }
 
 std::string SectionText(const Section& section, const std::string& indent) {
-    std::string text = "\n" + indent + section.title + "\n";
+    std::string text;
     for (const std::string& sentence : section.sentences) {
-        text += Wrapped(PlainText(sentence), indent);
+        const std::string plain = PlainText(sentence);
+        if (sentence == "`" + plain + "`") {
+            text += indent + "  " + plain + "\n";
+        } else {
+            text +=
+                section.listed ? Wrapped("- " + plain, indent + "  ") : Wrapped(plain, indent);
+        }
     }
     int width = 0;
     for (const Fact& fact : section.facts) {
@@ -72,11 +96,14 @@ std::string SectionText(const Section& section, const std::string& indent) {
         text += indent + "  " + Left(Titled(fact.what), width) + "   " +
                 CellText(fact.what, fact.value) + "\n";
     }
-    for (const Table& table : section.tables) text += TableText(table, indent);
+    for (const Table& table : section.tables) {
+        for (const Table& shown : Shown(table)) text += TableText(shown, indent);
+    }
     for (const Section& within : section.sections) {
         if (!within.folded) text += SectionText(within, indent + "  ");
     }
-    return text;
+    // A section of plots says nothing here.
+    return text.empty() ? text : "\n" + indent + section.title + "\n" + text;
 }
 
 }  // namespace

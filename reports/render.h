@@ -21,7 +21,7 @@ std::string CellText(const Column& column, const Cell& cell);
 /// A whole page that loads nothing from elsewhere.
 std::string ToHtml(const Document& document);
 
-/// By docs/schema/document-1.json.
+/// By docs/schema/document-1.json. Rows of numbers that plots share stand there once.
 nlohmann::ordered_json ToJson(const Document& document);
 std::string ToJsonText(const Document& document);
 
@@ -29,11 +29,12 @@ std::string ToJsonText(const Document& document);
 /// numbers three more: KEY_se, KEY_low, KEY_high, with only those that are known.
 std::string ToCsv(const Table& table);
 
-/// All numbers of all tables and facts, one a line: table, row, column, unit, value,
+/// All numbers of all facts and of all tables but those of data, one a line: table, row, column, unit, value,
 /// standard_error, low, high. A row is called by its names, joined by "; ".
 std::string ToCsv(const Document& document);
 
-/// For a terminal: lines of up to 100 columns, but where a table is wider.
+/// For a terminal of 100 columns: a table that is wider is broken, its names said again. Sections
+/// that would show nothing are left out.
 std::string ToTerminal(const Document& document);
 
 }  // namespace plumb::doc

@@ -108,7 +108,10 @@ TEST(Document, SchemaRefusesWhatIsNotADocument) {
     refused("/sections/0/tables/0/columns/0/role", "title");
     refused("/sections/0/facts/0/digits", 0);
     refused("/sections/0/sections/0/folded", "yes");
-    refused("/sections/0/plots/0/views/0/series/0/x", {"1"});
+    refused("/sections/0/plots/0/views/0/series/0/x", {1.5, 2});
+    refused("/sections/0/plots/0/views/0/series/0/y", -1);
+    refused("/plotted/0", {"1"});
+    refused("/sections/0/tables/0/values", {{"name", {"a"}}});
     for (const auto& [name, value] : good.items()) {
         nlohmann::json bad = good;
         bad.erase(name);
@@ -235,6 +238,142 @@ TEST(Document, FindsItsPartsOrSaysWhichThereAre) {
     EXPECT_THROW(TableOf(document, "scores").At(3, "rmse"), Error);
     Table table{.key = "t", .columns = {{.key = "a", .title = "A"}}};
     EXPECT_THROW(table.Add({1, 2}), std::logic_error);
+}
+
+/// RMSE of two formulas on two maps, of which one was not measured.
+Table OnMaps() {
+    Table table{
+        .key = "on",
+        .caption = "C.",
+        .columns = {{.key = "formula", .title = "Formula", .role = Role::kName},
+                    {.key = "map", .title = "Map", .role = Role::kName},
+                    {.key = "rms", .title = "RMS", .unit = "m", .better = Better::kLess},
+                    {.key = "db", .title = "PSNR", .better = Better::kMore},
+                    {.key = "n", .title = "Samples", .detail = true},
+                    {.key = "none", .title = "None"}},
+        .judged = true,
+        .across = "map"};
+    table.Add({"f", "one", 0.5, 30.0, 9, std::monostate{}});
+    table.Add({"f", "two", 0.125, 10.0, 8, std::monostate{}});
+    table.Add({"g", "two", 2.0, 20.0, 8, std::monostate{}});
+    table.Add({"h", "two", 0.5, kNan, 8, std::monostate{}});
+    return table;
+}
+
+// Expected, by hand: a table for RMS and one for PSNR; what is for machines, or nothing, is gone.
+TEST(Shown, SetsNamesSideBySide) {
+    const std::vector<Table> shown = Shown(OnMaps());
+    ASSERT_EQ(shown.size(), 2u);
+    EXPECT_EQ(ToCsv(shown[0]), "formula,rms,rms\nf,0.5,0.125\ng,,2\nh,,0.5\n");
+    EXPECT_EQ(ToCsv(shown[1]), "formula,db,db\nf,30,10\ng,,20\nh,,\n");
+    EXPECT_EQ(shown[0].title, "RMS [m]");
+    EXPECT_EQ(shown[0].columns[1].title, "one");
+    EXPECT_EQ(shown[0].columns[2].title, "two");
+    EXPECT_EQ(shown[0].caption, "");
+    EXPECT_EQ(shown[1].caption, "C.");
+    Table without = OnMaps();
+    without.across.clear();
+    ASSERT_EQ(Shown(without).size(), 1u);
+    EXPECT_EQ(Shown(without)[0].columns.size(), 4u);
+    without.columns[2].detail = without.columns[3].detail = true;
+    EXPECT_THAT(Shown(without), IsEmpty());  // Names alone.
+    without.columns[2].detail = false;
+    without.data = true;
+    EXPECT_THAT(Shown(without), IsEmpty());
+    without = OnMaps();
+    without.across = "maps";
+    EXPECT_THROW(Shown(without), Error);
+}
+
+// Expected: 0.125, 0.5 and 2 lie one factor of 4 apart: best, half-way, worst; of 10, 20 and nothing
+// 20 is the best. Half-way between white (255, 255, 255) and (240, 160, 60).
+TEST(Shown, MarksTheBestAndShadesTheOthers) {
+    const Document document{.kind = "k",
+                            .title = "T",
+                            .sections = {{.id = "s", .title = "S", .tables = {OnMaps()}}}};
+    const std::string html = ToHtml(document);
+    EXPECT_THAT(html,
+                HasSubstr("class=\"best\" style=\"background:#ffffff\" data-value=\"0.125\""));
+    EXPECT_THAT(html, HasSubstr("<td style=\"background:#f0a03c\" data-value=\"2\""));
+    EXPECT_THAT(html, HasSubstr("<td style=\"background:#f8d09e\" data-value=\"0.5\""));
+    EXPECT_THAT(html,
+                HasSubstr("class=\"best\" style=\"background:#ffffff\" data-value=\"20\""));
+    EXPECT_THAT(html, HasSubstr("<td style=\"background:#f0a03c\" data-value=\"10\""));
+    EXPECT_THAT(html, HasSubstr("<td>–</td>"));
+}
+
+TEST(Table, OfDataIsListedColumnByColumn) {
+    Document document = Made();
+    document.sections[0].tables[0].data = true;
+    const nlohmann::json json = nlohmann::json::parse(ToJsonText(document));
+    EXPECT_THAT(SchemaErrors(PublishedSchema("document-1.json"), json), IsEmpty());
+    const nlohmann::json& table = json["sections"][0]["tables"][0];
+    EXPECT_FALSE(table.contains("rows"));
+    EXPECT_EQ(table["values"]["pixels"].dump(), "[12345,7,null]");
+    EXPECT_EQ(table["values"]["bias"][0], -1.0 / 3);
+    EXPECT_TRUE(table["values"]["bias"][1].is_null());
+    for (const std::string& text : {ToHtml(document), ToTerminal(document), ToCsv(document)}) {
+        EXPECT_THAT(text, Not(HasSubstr("SUM(1)")));
+    }
+}
+
+// A row of numbers that two series share stands in the JSON once, with all its digits.
+TEST(Document, JsonHoldsWhatPlotsShareOnce) {
+    Document document = Made();
+    PlotView& view = document.sections[0].plots[0].plots[0].views[0];
+    view.series.push_back(view.series[0]);
+    view.series[1].y = std::vector<double>{3, 4};
+    const nlohmann::json json = nlohmann::json::parse(ToJsonText(document));
+    EXPECT_EQ(json["plotted"].dump(), "[[1.0,2.0],[0.1234567890123,null],[3.0,4.0]]");
+    const nlohmann::json& series = json["sections"][0]["plots"][0]["views"][0]["series"];
+    EXPECT_EQ(series[0]["x"], 0);
+    EXPECT_EQ(series[1]["x"], 0);
+    EXPECT_EQ(series[0]["y"], 1);
+    EXPECT_EQ(series[1]["y"], 2);
+}
+
+// Expected: no line over 100 columns, every number there, the names beside each part.
+TEST(Terminal, BreaksATableThatIsTooWide) {
+    Table table{.key = "wide",
+                .columns = {{.key = "name", .title = "Name", .role = Role::kName}}};
+    std::vector<Cell> row{"a name of twenty-four ch"};
+    for (int k = 0; k < 20; ++k) {
+        table.columns.push_back({.key = "c", .title = "Column " + std::to_string(100 + k)});
+        row.push_back(200 + k);
+    }
+    table.Add(row);
+    const std::string text =
+        ToTerminal({.kind = "k",
+                    .title = "T",
+                    .sections = {{.id = "s", .title = "S", .tables = {table}},
+                                 {.id = "e", .title = "Empty"}}});
+    std::size_t names = 0;
+    for (std::size_t at = 0, end = 0; (end = text.find('\n', at)) != std::string::npos;
+         at = end + 1) {
+        const std::string line = text.substr(at, end - at);
+        EXPECT_LE(line.size(), 100u);
+        names += line.find("a name of") != std::string::npos;
+    }
+    // (100 - 26) / (3 + 10) = 5 columns at a time.
+    EXPECT_EQ(names, 4u);
+    for (int k = 0; k < 20; ++k) {
+        EXPECT_THAT(text, HasSubstr("   " + std::to_string(200 + k)));
+        EXPECT_THAT(text, HasSubstr("   Column " + std::to_string(100 + k)));
+    }
+    EXPECT_THAT(text, Not(HasSubstr("Empty")));
+}
+
+TEST(Sentence, OfCodeAloneKeepsItsLinesAndPointsAreListed) {
+    const Document document{.kind = "k",
+                            .title = "T",
+                            .sections = {{.id = "s",
+                                          .title = "S",
+                                          .listed = true,
+                                          .sentences = {"One *point*.", "`a < b\n  c`"}}}};
+    EXPECT_THAT(ToHtml(document),
+                HasSubstr("<ul class=\"findings\">\n<li>One <em>point</em>.</li>\n"
+                          "<pre>a &lt; b\n  c</pre>\n</ul>"));
+    EXPECT_THAT(ToTerminal(document), HasSubstr("\nS\n  - One point.\n  a < b\n  c\n"));
 }
 
 TEST(Sentence, MarksWhatItSaysAndNothingElse) {

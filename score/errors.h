@@ -30,17 +30,27 @@
 // so the mean of 2/sqrt(pi) s exp(-d^2 / 2 s^2) bounds what noise added: `mae_noise_bias`.
 // `mae` is mean |d| as it is; the lower end of its interval lies lower by that bound.
 //
+// Of a colour the means run over its channels too. The channels of a pixel come from the same
+// paths, so their noises are alike by an unknown share: Var bias and Var MSE are then taken as
+// large as they can be, C times the above for C channels.
+//
 // Source   ours, but for the definitions; psnr_paper as shared by the paper's tables 1 to 3.
 // Symbols  c candidate, t measured truth, s its standard error, T truth.
 // Domain   Images of one size, finite where the mask counts. No standard errors: s = 0.
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "core/image.h"
 #include "score/over_tiles.h"
 
 namespace plumb {
+
+/// A picture by its channels, all of one size: one of a scalar, three of a colour.
+using Channels = std::vector<Image<float>>;
+using ChannelSpan = std::span<const Image<float>>;
 
 struct ErrorOptions {
     double confidence = 0.95;  ///< Of every interval. (0, 1)
@@ -61,7 +71,7 @@ struct ErrorScore {
     double truth_variance = 0;  ///< mean s^2: what was taken off the mean of d^2.
 
     double max = 0;  ///< Greatest |d|, its noise included.
-    int max_column = 0, max_row = 0;
+    int max_column = 0, max_row = 0, max_channel = 0;
     /// Some pixel is off by this at least, with the confidence of the options: the greatest
     /// |d| - z s, z shared among all pixels by Sidak's rule. 0 where that is negative.
     double max_at_least = 0;
@@ -73,12 +83,32 @@ ErrorScore ScoreErrors(const Image<float>& candidate, const Image<float>& truth,
                        const Image<float>& standard_error = {}, const Mask& mask = {},
                        const ErrorOptions& options = {});
 
+/// The same of all channels together: as many of each, `standard_error` none or as many.
+ErrorScore ScoreChannels(ChannelSpan candidate, ChannelSpan truth,
+                         ChannelSpan standard_error = {}, const Mask& mask = {},
+                         const ErrorOptions& options = {});
+
+/// MSE of one tile, with the standard error that the truth's noise gives it.
+struct TileError {
+    std::int64_t numbers = 0;  ///< Counted: pixels times channels. 0: the rest is 0.
+    double mse = 0, noise_error = 0;
+};
+
+/// Of every tile, in the order of Tiling::TileOf.
+std::vector<TileError> ScoreTiles(ChannelSpan candidate, ChannelSpan truth,
+                                  ChannelSpan standard_error = {}, const Mask& mask = {},
+                                  const ErrorOptions& options = {});
+
 /// MSE of a less MSE of b, from (a - b)(a + b - 2 t): linear in t, so that the noise of a
 /// shared truth cancels but for noise_error. Its interval tells whether one technique beats
 /// another.
 Measured CompareMse(const Image<float>& a, const Image<float>& b, const Image<float>& truth,
                     const Image<float>& standard_error = {}, const Mask& mask = {},
                     const ErrorOptions& options = {});
+
+Measured CompareChannels(ChannelSpan a, ChannelSpan b, ChannelSpan truth,
+                         ChannelSpan standard_error = {}, const Mask& mask = {},
+                         const ErrorOptions& options = {});
 
 /// RMSE and PSNR of an MSE. Both are monotone in it: its interval carries over end by end.
 Measured RmseOf(const Measured& mse);

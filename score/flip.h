@@ -44,6 +44,6 @@ Image<float> FlipMap(const Image<Rgb>& candidate, const Image<Rgb>& reference,
 /// Mean of a map over the pixels of `mask` (empty: all), with the interval of the tiles. Throws
 /// Error where one that counts is not finite. Of the options, confidence and tiles are used.
 Measured MeanOverTiles(const Image<float>& map, const Mask& mask = {},
-                     const ErrorOptions& options = {});
+                       const ErrorOptions& options = {});
 
 }  // namespace plumb

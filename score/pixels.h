@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
+#include <span>
 #include <string>
 
 #include "core/error.h"
@@ -28,6 +30,29 @@ inline void CheckSizes(const Image<float>& candidate, const Image<float>& truth,
     if (!standard_error.Empty())
         check("standard error", standard_error.Width(), standard_error.Height());
     if (!mask.Empty()) check("mask", mask.Width(), mask.Height());
+}
+
+/// The same of pictures of several channels; throws too where their numbers differ, or there is
+/// none.
+inline void CheckChannels(std::initializer_list<std::span<const Image<float>>> candidates,
+                          std::span<const Image<float>> truth,
+                          std::span<const Image<float>> standard_error, const Mask& mask) {
+    if (truth.empty()) throw Error(MustBe("truth: channels", 0, ">= 1"));
+    const auto check = [&](const char* name, std::size_t channels) {
+        if (channels == truth.size()) return;
+        throw Error(MustBe(std::string(name) + ": channels", double(channels),
+                           "as many as the truth's, " + std::to_string(truth.size())));
+    };
+    const Image<float> none;
+    if (!standard_error.empty()) check("standard error", standard_error.size());
+    for (const std::span<const Image<float>> candidate : candidates) {
+        check("candidate", candidate.size());
+        for (std::size_t c = 0; c < truth.size(); ++c) {
+            CheckSizes(truth[c], truth[0], {}, {});
+            CheckSizes(candidate[c], truth[0],
+                       standard_error.empty() ? none : standard_error[c], mask);
+        }
+    }
 }
 
 /// The pixel as double. Throws Error, naming image and pixel, if it is not finite.
@@ -61,6 +86,18 @@ void ForEachCounted(const Tiling& tiling, const Image<float>& standard_error, co
             }
         }
     });
+}
+
+/// visit(tile, channel, i, j, s^2) of every channel, one after the other.
+template <class Visit>
+void ForEachCounted(const Tiling& tiling, std::span<const Image<float>> standard_error,
+                    int channels, const Mask& mask, const Visit& visit) {
+    const Image<float> none;
+    for (int channel = 0; channel < channels; ++channel) {
+        ForEachCounted(
+            tiling, standard_error.empty() ? none : standard_error[channel], mask,
+            [&](int tile, int i, int j, double s2) { visit(tile, channel, i, j, s2); });
+    }
 }
 
 }  // namespace plumb

@@ -45,9 +45,10 @@ class Layers {
             const double y_px = y + 0.5 + tap.alpha * disc_px * std::sin(theta);
             const Vec3 w =
                 frame_.Direction(in_.camera, x_px - view.guard_px, y_px - view.guard_px);
-            // t counts in depths: only what lies within r of C in depth can matter.
+            // t counts in depths: only what lies within r of C in depth can matter, and what is
+            // nearer than the near plane is in no picture.
             rays_[i] = {.origin_m = eye,
-                        .near = float(std::max(1e-3, -z - sao.radius_m)),
+                        .near = float(std::max(gbuffer.range.near_m, -z - sao.radius_m)),
                         .direction = w.cast<float>(),
                         .far = float(-z + sao.radius_m)};
         }

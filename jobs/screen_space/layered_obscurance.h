@@ -2,8 +2,9 @@
 //
 //       A = estimator( max over layers l of f(Q_il - C),  i = 1 ... s )
 //
-// At each tap the line of sight through it is followed through the whole scene, in front of and
-// behind what is seen, and of all points Q_il that it meets the one that occludes most counts.
+// At each tap the line of sight through it is followed through the whole scene from the near plane
+// on, in front of and behind what is seen, and of all points Q_il that it meets the one that
+// occludes most counts.
 // The difference to SamplePass with as many taps is what seeing one layer of depth costs.
 //
 // Symbols  as in screen_space/sao/sao.h; l counts the layers along one line of sight.

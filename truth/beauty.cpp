@@ -6,8 +6,8 @@
 #include "core/shading.h"
 #include "core/sobol.h"
 #include "core/surface.h"
+#include "rays/leave_surface.h"
 #include "truth/direct_light.h"
-#include "truth/leave_surface.h"
 
 namespace plumb {
 namespace {

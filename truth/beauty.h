@@ -15,7 +15,7 @@
 #include "core/camera.h"
 #include "core/monitor.h"
 #include "core/scene.h"
-#include "truth/ray_caster.h"
+#include "rays/ray_caster.h"
 #include "truth/rgb_sums.h"
 
 namespace plumb {

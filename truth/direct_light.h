@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/shading.h"
-#include "truth/ray_caster.h"
+#include "rays/ray_caster.h"
 
 namespace plumb {
 

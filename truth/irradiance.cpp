@@ -10,8 +10,8 @@
 #include "core/sobol.h"
 #include "core/surface.h"
 #include "core/warp.h"
+#include "rays/leave_surface.h"
 #include "truth/direct_light.h"
-#include "truth/leave_surface.h"
 
 namespace plumb {
 namespace {

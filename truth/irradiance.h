@@ -22,7 +22,7 @@
 
 #include "core/monitor.h"
 #include "core/scene.h"
-#include "truth/ray_caster.h"
+#include "rays/ray_caster.h"
 #include "truth/receiver.h"
 #include "truth/replicates.h"
 #include "truth/rgb_sums.h"

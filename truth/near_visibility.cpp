@@ -9,7 +9,7 @@
 #include "core/parallel.h"
 #include "core/sobol.h"
 #include "core/warp.h"
-#include "truth/leave_surface.h"
+#include "rays/leave_surface.h"
 
 namespace plumb {
 

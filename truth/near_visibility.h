@@ -23,7 +23,7 @@
 #include "core/falloff.h"
 #include "core/mesh.h"
 #include "core/monitor.h"
-#include "truth/ray_caster.h"
+#include "rays/ray_caster.h"
 #include "truth/receiver.h"
 #include "truth/replicates.h"
 

@@ -9,8 +9,8 @@
 #include "core/parallel.h"
 #include "core/sobol.h"
 #include "core/warp.h"
+#include "rays/leave_surface.h"
 #include "truth/cosine_directions.h"
-#include "truth/leave_surface.h"
 
 namespace plumb {
 namespace {

@@ -17,7 +17,7 @@
 
 #include "core/mesh.h"
 #include "core/monitor.h"
-#include "truth/ray_caster.h"
+#include "rays/ray_caster.h"
 #include "truth/receiver.h"
 #include "truth/replicates.h"
 #include "truth/sky.h"

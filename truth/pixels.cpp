@@ -4,7 +4,7 @@
 
 #include "core/parallel.h"
 #include "core/surface.h"
-#include "truth/triangle.h"
+#include "rays/triangle.h"
 
 namespace plumb {
 

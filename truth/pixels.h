@@ -8,7 +8,7 @@
 
 #include "core/image.h"
 #include "core/scene.h"
-#include "truth/ray_caster.h"
+#include "rays/ray_caster.h"
 #include "truth/receiver.h"
 
 namespace plumb {

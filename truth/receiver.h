@@ -5,7 +5,7 @@
 
 #include "core/vec.h"
 #include "core/warp.h"
-#include "truth/triangle.h"
+#include "rays/triangle.h"
 
 namespace plumb {
 

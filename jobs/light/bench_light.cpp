@@ -11,7 +11,7 @@
 #include "jobs/bench_facts.h"
 #include "jobs/light/convergence_study.h"
 #include "jobs/memory_copy.h"
-#include "truth/embree_caster.h"
+#include "rays/embree/embree_caster.h"
 
 namespace plumb {
 namespace {

@@ -8,8 +8,8 @@
 #include "core/camera.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "rays/ray_caster.h"
 #include "screen_space/sao/rotation_hash.h"
-#include "truth/ray_caster.h"
 
 namespace plumb {
 namespace {

@@ -11,9 +11,9 @@
 #include "core/random.h"
 #include "core/sobol.h"
 #include "core/warp.h"
+#include "rays/leave_surface.h"
+#include "rays/triangle.h"
 #include "screen_space/pixel_rect.h"
-#include "truth/leave_surface.h"
-#include "truth/triangle.h"
 
 namespace plumb {
 namespace {

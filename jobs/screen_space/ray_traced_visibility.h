@@ -14,8 +14,8 @@
 #include <cstdint>
 
 #include "core/scene.h"
+#include "rays/ray_caster.h"
 #include "screen_space/gbuffer.h"
-#include "truth/ray_caster.h"
 
 namespace plumb {
 

@@ -6,9 +6,9 @@
 
 #include "core/error.h"
 #include "io/image_io.h"
+#include "rays/embree/embree_caster.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "screen_space/raster/near_plane.h"
-#include "truth/embree_caster.h"
 
 namespace plumb {
 namespace {

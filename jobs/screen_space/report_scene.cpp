@@ -22,11 +22,11 @@
 #include "jobs/screen_space/score_technique.h"
 #include "jobs/screen_space/signed_picture.h"
 #include "jobs/screen_space/time_techniques.h"
+#include "rays/embree/embree_caster.h"
+#include "rays/leave_surface.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "screen_space/raster/near_plane.h"
 #include "screen_space/sao/sao_presets.h"
-#include "truth/embree_caster.h"
-#include "truth/leave_surface.h"
 
 namespace plumb {
 namespace {

@@ -12,9 +12,9 @@
 #include "core/time_in_turns.h"
 #include "core/warp.h"
 #include "jobs/bench_facts.h"
-#include "truth/embree_caster.h"
+#include "rays/embree/embree_caster.h"
+#include "rays/leave_surface.h"
 #include "truth/escape_walk.h"
-#include "truth/leave_surface.h"
 #include "truth/open_sky.h"
 #include "truth/pixels.h"
 

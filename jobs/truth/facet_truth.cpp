@@ -9,8 +9,8 @@
 #include "core/error.h"
 #include "io/whole_file.h"
 #include "jobs/truth/view_truth.h"
+#include "rays/embree/embree_caster.h"
 #include "reports/text.h"
-#include "truth/embree_caster.h"
 #include "truth/escape_walk.h"
 #include "truth/open_sky.h"
 

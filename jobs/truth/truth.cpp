@@ -13,7 +13,7 @@
 #include "jobs/truth/truth_passes.h"
 #include "jobs/truth/truth_pictures.h"
 #include "jobs/truth/truth_state.h"
-#include "truth/embree_caster.h"
+#include "rays/embree/embree_caster.h"
 
 namespace plumb {
 namespace {

@@ -4,8 +4,8 @@
 #include "core/camera.h"
 #include "jobs/truth/truth.h"
 #include "jobs/truth/truth_state.h"
+#include "rays/ray_caster.h"
 #include "truth/pixels.h"
-#include "truth/ray_caster.h"
 
 namespace plumb {
 

@@ -26,8 +26,8 @@
 #include "core/statistics.h"
 #include "jobs/light/simulate_surface.h"
 #include "jobs/light/surface.h"
+#include "rays/embree/embree_caster.h"
 #include "tests/agreement/surfaces.h"
-#include "truth/embree_caster.h"
 #include "truth/escape_walk.h"
 
 namespace plumb {

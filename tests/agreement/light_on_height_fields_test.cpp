@@ -22,8 +22,8 @@
 #include "formfactor/bounces.h"
 #include "formfactor/slice_links.h"
 #include "heightfield/analytic_fields.h"
+#include "rays/embree/embree_caster.h"
 #include "tests/agreement/surfaces.h"
-#include "truth/embree_caster.h"
 #include "truth/escape_walk.h"
 #include "truth/open_sky.h"
 

@@ -10,8 +10,8 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string>& Rooms() {
     static const std::vector<std::string> rooms{
-        "core",  "io",  "scenes", "heightfield", "formfactor", "screen_space", "techniques",
-        "truth", "fit", "score",  "reports",     "jobs",       "app"};
+        "core",       "io",    "scenes", "heightfield", "formfactor", "rays", "screen_space",
+        "techniques", "truth", "fit",    "score",       "reports",    "jobs", "app"};
     return rooms;
 }
 

@@ -38,7 +38,7 @@
 #include "io/mesh_io.h"
 #include "io/picture_file.h"
 #include "io/scene_file.h"
-#include "truth/embree_caster.h"
+#include "rays/embree/embree_caster.h"
 #include "truth/pixels.h"
 
 namespace plumb {

@@ -8,10 +8,10 @@
 #include "core/error.h"
 #include "jobs/screen_space/technique.h"
 #include "jobs/truth/truth.h"
+#include "rays/embree/embree_caster.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "screen_space/raster/near_plane.h"
 #include "tests/io/temp_folder.h"
-#include "truth/embree_caster.h"
 
 namespace plumb {
 namespace {

@@ -11,10 +11,10 @@
 #include "core/parallel.h"
 #include "jobs/screen_space/report_folders.h"
 #include "jobs/screen_space/score_technique.h"
+#include "rays/embree/embree_caster.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "tests/jobs/made_scenes.h"
 #include "tests/jobs/plain_scores.h"
-#include "truth/embree_caster.h"
 
 namespace plumb {
 namespace {

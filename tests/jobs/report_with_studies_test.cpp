@@ -11,11 +11,11 @@
 
 #include "jobs/screen_space/report_scene.h"
 #include "jobs/screen_space/score_technique.h"
+#include "rays/embree/embree_caster.h"
 #include "reports/text.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "tests/jobs/made_scenes.h"
 #include "tests/jobs/plain_scores.h"
-#include "truth/embree_caster.h"
 
 namespace plumb {
 namespace {

@@ -8,11 +8,11 @@
 #include "jobs/screen_space/layered_obscurance.h"
 #include "jobs/screen_space/technique.h"
 #include "jobs/truth/view_truth.h"
+#include "rays/embree/embree_caster.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "screen_space/raster/near_plane.h"
 #include "tests/jobs/made_scenes.h"
 #include "tests/jobs/plain_scores.h"
-#include "truth/embree_caster.h"
 
 namespace plumb {
 namespace {

@@ -13,10 +13,10 @@
 #include "jobs/screen_space/pyramid_study.h"
 #include "jobs/screen_space/score_technique.h"
 #include "jobs/screen_space/temporal_study.h"
+#include "rays/embree/embree_caster.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "tests/jobs/made_scenes.h"
 #include "tests/jobs/plain_scores.h"
-#include "truth/embree_caster.h"
 
 namespace plumb {
 namespace {

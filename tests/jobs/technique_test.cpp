@@ -14,9 +14,9 @@
 #include "jobs/screen_space/score_technique.h"
 #include "jobs/screen_space/signed_picture.h"
 #include "jobs/screen_space/time_techniques.h"
+#include "rays/embree/embree_caster.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "tests/jobs/made_scenes.h"
-#include "truth/embree_caster.h"
 
 namespace plumb {
 namespace {

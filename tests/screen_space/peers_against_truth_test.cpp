@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/statistics.h"
+#include "rays/embree/embree_caster.h"
 #include "screen_space/peers/gtao.h"
 #include "screen_space/peers/visibility_bitmask.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "tests/screen_space/flat_scenes.h"
-#include "truth/embree_caster.h"
 #include "truth/near_visibility.h"
 #include "truth/pixels.h"
 

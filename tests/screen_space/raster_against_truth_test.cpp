@@ -7,13 +7,13 @@
 #include <limits>
 #include <string>
 
+#include "rays/embree/embree_caster.h"
+#include "rays/triangle.h"
 #include "scenes/atrium.h"
 #include "scenes/dense.h"
 #include "scenes/simple.h"
 #include "screen_space/raster/draw_gbuffer.h"
-#include "truth/embree_caster.h"
 #include "truth/pixels.h"
-#include "truth/triangle.h"
 
 namespace plumb {
 namespace {

@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "core/surface.h"
+#include "rays/embree/embree_caster.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "screen_space/raster/seen_triangle.h"
 #include "tests/screen_space/flat_scenes.h"
-#include "truth/embree_caster.h"
 #include "truth/pixels.h"
 
 namespace plumb {

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "core/error.h"
+#include "rays/embree/embree_caster.h"
 #include "scenes/catalogue.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "techniques/technique.h"
-#include "truth/embree_caster.h"
 
 namespace plumb {
 namespace {

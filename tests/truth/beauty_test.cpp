@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "core/parallel.h"
+#include "rays/embree/embree_caster.h"
 #include "tests/truth/shapes.h"
 #include "tests/truth/significance.h"
-#include "truth/embree_caster.h"
 
 namespace plumb {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "core/conventions.h"
 #include "core/random.h"
+#include "rays/embree/embree_caster.h"
 #include "tests/truth/shapes.h"
 #include "tests/truth/significance.h"
 #include "tests/truth/trench_radiosity.h"
-#include "truth/embree_caster.h"
 #include "truth/escape_walk.h"
 #include "truth/open_sky.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/conventions.h"
+#include "rays/ray_caster.h"
 #include "tests/truth/shapes.h"
-#include "truth/ray_caster.h"
 
 namespace plumb {
 

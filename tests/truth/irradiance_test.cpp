@@ -10,9 +10,9 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "core/shading.h"
+#include "rays/embree/embree_caster.h"
 #include "tests/truth/shapes.h"
 #include "tests/truth/significance.h"
-#include "truth/embree_caster.h"
 #include "truth/escape_walk.h"
 
 namespace plumb {

@@ -8,10 +8,10 @@
 #include <limits>
 
 #include "core/error.h"
+#include "rays/embree/embree_caster.h"
 #include "tests/truth/half_hidden_caster.h"
 #include "tests/truth/shapes.h"
 #include "tests/truth/significance.h"
-#include "truth/embree_caster.h"
 #include "truth/near_visibility.h"
 #include "truth/open_sky.h"
 

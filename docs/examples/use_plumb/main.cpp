@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "truth/embree_caster.h"
+#include "rays/embree/embree_caster.h"
 #include "truth/open_sky.h"
 
 int main() {

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "rays/embree/embree_caster.h"
 #include "scenes/catalogue.h"
 #include "techniques/technique.h"
 #include "tests/screen_space/made_gbuffers.h"
-#include "truth/embree_caster.h"
 
 namespace plumb {
 namespace families {

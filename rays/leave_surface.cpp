@@ -1,4 +1,4 @@
-#include "truth/leave_surface.h"
+#include "rays/leave_surface.h"
 
 #include <algorithm>
 

@@ -6,10 +6,10 @@
 // together.
 //
 // Symbols  a ray is { origin + t direction, near <= t <= far }; b_1, b_2 barycentric
-//          coordinates of the triangle's second and third corner, see truth/triangle.h.
+//          coordinates of the triangle's second and third corner, see rays/triangle.h.
 // Beware   Directions need not be unit vectors: t counts in their lengths. Whether something
 //          exactly at near or far is met is left open. Numbers are float: start rays off
-//          surfaces as truth/leave_surface.h does.
+//          surfaces as rays/leave_surface.h does.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct Ray {
 struct Hit {
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-    std::uint32_t triangle = kNone;  ///< 2 face + half, as in truth/triangle.h.
+    std::uint32_t triangle = kNone;  ///< 2 face + half, as in rays/triangle.h.
     float b_1 = 0, b_2 = 0;
     float t = std::numeric_limits<float>::infinity();  ///< In lengths of the direction.
 

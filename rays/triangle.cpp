@@ -1,4 +1,4 @@
-#include "truth/triangle.h"
+#include "rays/triangle.h"
 
 #include <cmath>
 #include <string>

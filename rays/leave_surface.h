@@ -24,8 +24,8 @@
 //          origin of the coordinates and 3.6e-7 of the extent of the triangle.
 #pragma once
 
-#include "truth/ray_caster.h"
-#include "truth/triangle.h"
+#include "rays/ray_caster.h"
+#include "rays/triangle.h"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-// Embree behind the interface of truth/ray_caster.h.
+// Embree behind the interface of rays/ray_caster.h.
 //
 // The scene is built ROBUST: without it 3.5 rays in a million pass between two triangles, and
 // up to a fifth of those aimed at an edge. Quads stay quads (half the nodes of two triangles);
@@ -16,14 +16,14 @@
 
 #include "core/mesh.h"
 #include "core/scene.h"
-#include "truth/ray_caster.h"
+#include "rays/ray_caster.h"
 
 namespace plumb {
 
 class EmbreeCaster final : public RayCaster {
   public:
     /// Copies what it needs of the mesh. Throws Error if the mesh is not valid (see
-    /// truth/triangle.h), MachineError if memory runs out.
+    /// rays/triangle.h), MachineError if memory runs out.
     explicit EmbreeCaster(const Mesh& mesh);
 
     /// The scene's mesh with the holes of its alpha-tested materials. If it has any, the scene

@@ -1,4 +1,4 @@
-#include "truth/embree_caster.h"
+#include "rays/embree/embree_caster.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,9 +12,9 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "core/warp.h"
+#include "rays/leave_surface.h"
+#include "rays/triangle.h"
 #include "tests/truth/shapes.h"
-#include "truth/leave_surface.h"
-#include "truth/triangle.h"
 
 namespace plumb {
 namespace {

@@ -1,4 +1,4 @@
-#include "truth/embree_caster.h"
+#include "rays/embree/embree_caster.h"
 
 #include <embree3/rtcore.h>
 #include <xmmintrin.h>
@@ -14,7 +14,7 @@
 
 #include "core/error.h"
 #include "core/surface.h"
-#include "truth/triangle.h"
+#include "rays/triangle.h"
 
 namespace plumb {
 namespace {

@@ -39,7 +39,7 @@ void AddTechniqueOptions(CLI::App& command, TechniqueOptions& options) {
 }
 
 KnobValues ValuesFor(const TechniqueOptions& options, const std::string& technique) {
-    const Description& about = DescribedTechnique(technique).description;
+    const Description& about = FindTechnique(technique).description;
     const ValuesByTechnique set = ValuesOfSet(options.set);
     CheckSetIsOf(set, {technique});
     KnobValues values;

@@ -11,10 +11,10 @@ std::string TechniquesText(const std::string& name, TechniquesForm form) {
     std::vector<Description> wanted;
     if (name.empty()) {
         for (const std::string& each : TechniqueNames()) {
-            wanted.push_back(DescribedTechnique(each).description);
+            wanted.push_back(FindTechnique(each).description);
         }
     } else {
-        wanted.push_back(DescribedTechnique(name).description);
+        wanted.push_back(FindTechnique(name).description);
     }
     switch (form) {
         case TechniquesForm::kJson:

@@ -4,24 +4,10 @@
 
 #include "core/error.h"
 #include "core/names.h"
-#include "jobs/screen_space/ray_techniques.h"
 #include "screen_space/sao/sao_presets.h"
 
 namespace plumb {
 namespace {
-
-const std::vector<PictureTechnique>& Everything() {
-    static const std::vector<PictureTechnique> everything = [] {
-        std::vector<PictureTechnique> all = AllTechniques();
-        for (PictureTechnique& one : RayTechniques()) all.push_back(std::move(one));
-        return all;
-    }();
-    return everything;
-}
-
-std::string NameOfTechnique(const PictureTechnique& one) {
-    return one.description.name;
-}
 
 // The passes with their pictures, each with the time since the last was kept.
 template <class Run>
@@ -71,17 +57,13 @@ void Validate(const TechniqueSettings& s) {
 
 std::vector<std::string> TechniqueNames() {
     std::vector<std::string> names;
-    for (const PictureTechnique& one : Everything()) names.push_back(NameOfTechnique(one));
+    for (const PictureTechnique& one : AllTechniques()) names.push_back(one.description.name);
     return names;
-}
-
-const PictureTechnique& DescribedTechnique(const std::string& name, const std::string& where) {
-    return FindNamed(Everything(), NameOfTechnique, name, where + " = " + name);
 }
 
 Technique TechniqueNamed(const std::string& name, const TechniqueSettings& settings) {
     Validate(settings);
-    const TurnedTechnique turned = DescribedTechnique(name).with(ValuesOf(settings));
+    const TurnedTechnique turned = FindTechnique(name).with(ValuesOf(settings));
     return {name, turned.falloff, turned.samples,
             [run = turned.run](const TechniqueInput& in, const PassClock& clock) {
                 return Timed([&](const PassObserver& observer) { run(in, observer); }, clock);
@@ -114,8 +96,7 @@ Technique SaoTechnique(std::string name, const SaoOptions& options) {
 TechniqueSettings SettingsOf(const LoadedScene& loaded, const std::string& name,
                              TechniqueSettings otherwise) {
     for (const TechniqueEntry& entry : loaded.techniques) {
-        const Description& about =
-            DescribedTechnique(entry.name, entry.where + ".name").description;
+        const Description& about = FindTechnique(entry.name, entry.where + ".name").description;
         const KnobValues values = ValuesOfTexts(about, entry.values, entry.where);
         if (entry.name == name) otherwise = Over(otherwise, name, values);
     }
@@ -127,7 +108,7 @@ ValuesByTechnique ValuesOfSet(const std::vector<std::string>& set) {
     for (const std::string& text : set) {
         const Assignment given = AssignmentOf(text);
         const Description& about =
-            DescribedTechnique(given.technique, "--set " + text + ": technique").description;
+            FindTechnique(given.technique, "--set " + text + ": technique").description;
         const KnobValues one =
             ValuesOfTexts(about, {{given.knob, given.value}}, "--set " + given.technique);
         KnobValues& values = all[given.technique];
@@ -146,7 +127,7 @@ void CheckSetIsOf(const ValuesByTechnique& set, const std::vector<std::string>& 
 
 TechniqueSettings Over(TechniqueSettings settings, const std::string& technique,
                        const KnobValues& values) {
-    const Description& about = DescribedTechnique(technique).description;
+    const Description& about = FindTechnique(technique).description;
     KnobValues all = Merged(about, ValuesOf(settings), values);
     const auto taken = [&](const char* knob, double otherwise) {
         const auto found = all.find(knob);

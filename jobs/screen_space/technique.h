@@ -56,10 +56,6 @@ void Validate(const TechniqueSettings& settings);
 
 std::vector<std::string> TechniqueNames();
 
-/// The description of the technique of that name. Throws as TechniqueNamed does.
-const PictureTechnique& DescribedTechnique(const std::string& name,
-                                           const std::string& where = "technique");
-
 /// Throws Error, listing the names, if there is none of that name.
 Technique TechniqueNamed(const std::string& name, const TechniqueSettings& settings = {});
 

@@ -85,7 +85,7 @@ const std::map<std::string, Words>& MayInclude() {
         {"formfactor", {"core", "heightfield"}},
         {"rays", {"core"}},
         {"screen_space", {"core"}},
-        {"techniques", {"core", "screen_space"}},
+        {"techniques", {"core", "rays", "screen_space"}},
         {"truth", {"core", "rays"}},
         {"fit", {"core"}},
         {"score", {"core"}},

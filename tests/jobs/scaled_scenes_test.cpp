@@ -51,7 +51,7 @@ struct Scaled {
 
 // The published values of its knobs, those that are lengths `scale` times as great.
 TechniqueSettings InUnit(const std::string& name, double scale) {
-    const Description& about = DescribedTechnique(name).description;
+    const Description& about = FindTechnique(name).description;
     TechniqueSettings settings{.radius_m = kRadiusM * scale};
     for (const Knob& knob : about.knobs) {
         double power = knob.unit == "m" ? 1 : knob.unit == "m^2" ? 2 : 0;

@@ -9,13 +9,13 @@
 #include "core/parallel.h"
 #include "jobs/pictures.h"
 #include "jobs/screen_space/layered_obscurance.h"
-#include "jobs/screen_space/ray_traced_visibility.h"
 #include "jobs/screen_space/render_scene.h"
 #include "jobs/screen_space/score_technique.h"
 #include "jobs/screen_space/signed_picture.h"
 #include "jobs/screen_space/time_techniques.h"
 #include "rays/embree/embree_caster.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "techniques/ray_traced_visibility.h"
 #include "tests/jobs/made_scenes.h"
 
 namespace plumb {

@@ -1,4 +1,4 @@
-#include "jobs/screen_space/ray_traced_visibility.h"
+#include "techniques/ray_traced_visibility.h"
 
 #include <algorithm>
 #include <bit>

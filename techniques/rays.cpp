@@ -1,11 +1,9 @@
-#include "jobs/screen_space/ray_techniques.h"
-
-#include "jobs/screen_space/ray_traced_visibility.h"
 #include "techniques/filter_knobs.h"
+#include "techniques/ray_traced_visibility.h"
 
-namespace plumb {
+namespace plumb::families {
 
-std::vector<PictureTechnique> RayTechniques() {
+std::vector<PictureTechnique> rays() {
     using R = RayTracedOptions;
     using O = Filtered<R>;
     const BoundKnobs<R> knobs{Number<R>(
@@ -26,18 +24,18 @@ std::vector<PictureTechnique> RayTechniques() {
                       observer);
         }};
     std::vector<PictureTechnique> techniques;
-    for (const int rays : {1, 2, 4, 8}) {
-        const std::string number = std::to_string(rays);
+    for (const int count : {1, 2, 4, 8}) {
+        const std::string number = std::to_string(count);
         techniques.push_back(MakeTechnique<O>(
             {.name = "rays-" + number,
              .family = "rays",
              .paper = "",
              .what = "Ray-traced visibility within r, " + number +
-                     (rays == 1 ? " ray" : " rays") + " a pixel, then the filter",
+                     (count == 1 ? " ray" : " rays") + " a pixel, then the filter",
              .knobs = {}},
-            {.sampling = {.rays = rays}}, FilteredKnobs(knobs), behaviour));
+            {.sampling = {.rays = count}}, FilteredKnobs(knobs), behaviour));
     }
     return techniques;
 }
 
-}  // namespace plumb
+}  // namespace plumb::families

@@ -219,10 +219,10 @@ struct Tally {
     int same = 0, near_edge = 0, out_of_reach = 0, sky = 0, below_horizon = 0;
 };
 
-// Casts `rays` rays both ways. A ray whose answer the brute force cannot know within its reach
-// (too level, no hit so far) is counted, not judged.
-inline Tally Compare(const HeightField& field, int rays, std::uint64_t seed) {
-    const WalkGrid grid(field);
+// Casts `rays` rays both ways, one of them by `cast(ray)`. A ray whose answer the brute force
+// cannot know within its reach (too level, no hit so far) is counted, not judged.
+template <class CastOne>
+Tally CompareWith(const HeightField& field, int rays, std::uint64_t seed, CastOne cast) {
     const BruteForce brute(field);
     const double relief = field.HighestM() - field.LowestM();
     const double most_m = 20 * (field.WidthM() + field.HeightM());
@@ -235,8 +235,7 @@ inline Tally Compare(const HeightField& field, int rays, std::uint64_t seed) {
         const auto expected = brute.Cast(ray, std::min(ends_m, most_m) + 1e-6);
         const bool known =
             expected.facet != kSky || ends_m < most_m || field.GetBoundary() == Boundary::kOpen;
-        const std::int64_t found =
-            CastFromFacet(grid, ray.facet, ray.origin_m, ray.direction, FarDistanceM(field));
+        const std::int64_t found = cast(ray);
         if (expected.near_edge) {
             ++tally.near_edge;
         } else if (!known) {
@@ -253,6 +252,13 @@ inline Tally Compare(const HeightField& field, int rays, std::uint64_t seed) {
         if (::testing::Test::HasFailure()) break;
     }
     return tally;
+}
+
+inline Tally Compare(const HeightField& field, int rays, std::uint64_t seed) {
+    const WalkGrid grid(field);
+    return CompareWith(field, rays, seed, [&](const Ray& ray) {
+        return CastFromFacet(grid, ray.facet, ray.origin_m, ray.direction, FarDistanceM(field));
+    });
 }
 
 inline std::string Name(Boundary boundary, Diagonal diagonal, double amplitude) {

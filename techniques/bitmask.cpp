@@ -1,4 +1,4 @@
-#include "screen_space/peers/visibility_bitmask.h"
+#include "screen_space/horizon/visibility_bitmask.h"
 #include "techniques/filter_knobs.h"
 #include "techniques/slice_knobs.h"
 

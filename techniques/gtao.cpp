@@ -1,4 +1,4 @@
-#include "screen_space/peers/gtao.h"
+#include "screen_space/horizon/gtao.h"
 
 #include <algorithm>
 

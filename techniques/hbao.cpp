@@ -1,4 +1,4 @@
-#include "screen_space/peers/hbao.h"
+#include "screen_space/horizon/hbao.h"
 
 #include <numbers>
 

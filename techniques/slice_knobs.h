@@ -1,7 +1,7 @@
 // The knobs that HBAO, GTAO and the visibility bitmask share: slices and the walk along them.
 #pragma once
 
-#include "screen_space/peers/slice_march.h"
+#include "screen_space/horizon/slice_march.h"
 #include "techniques/knobs.h"
 
 namespace plumb {

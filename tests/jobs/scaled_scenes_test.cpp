@@ -113,7 +113,7 @@ TEST(ScaledScenes, ByAPowerOfTwoAreTheSameBits) {
 
 // Expected: the same but at pixels where a tap, or a ray that grazes an edge, rounds to its neighbour:
 // no more than one of a hundred. Where sectors of a bitmask are rounded up, a plane's samples lie on
-// the edge of one (screen_space/peers/visibility_bitmask.h), and roundings tell: one of 32 on
+// the edge of one (screen_space/horizon/visibility_bitmask.h), and roundings tell: one of 32 on
 // each side of a slice at most.
 TEST(ScaledScenes, ByAThousandAreTheSameButForRounding) {
     const Scaled one(1);

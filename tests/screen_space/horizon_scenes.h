@@ -1,13 +1,13 @@
-// Scenes of which the peers of SAO have known values, each with how much of them is known.
+// Scenes of which HBAO, GTAO and the bitmask have known values, each with how much of them is known.
 #pragma once
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "screen_space/peers/gtao.h"
-#include "screen_space/peers/hbao.h"
-#include "screen_space/peers/visibility_bitmask.h"
+#include "screen_space/horizon/gtao.h"
+#include "screen_space/horizon/hbao.h"
+#include "screen_space/horizon/visibility_bitmask.h"
 #include "tests/screen_space/made_gbuffers.h"
 
 namespace plumb {

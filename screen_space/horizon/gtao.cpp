@@ -1,12 +1,12 @@
-#include "screen_space/peers/gtao.h"
+#include "screen_space/horizon/gtao.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/error.h"
-#include "screen_space/peers/every_pixel.h"
-#include "screen_space/peers/slice_integral.h"
+#include "screen_space/horizon/every_pixel.h"
+#include "screen_space/horizon/slice_integral.h"
 
 namespace plumb {
 namespace {

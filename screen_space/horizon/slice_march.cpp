@@ -1,4 +1,4 @@
-#include "screen_space/peers/slice_march.h"
+#include "screen_space/horizon/slice_march.h"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "screen_space/peers/visibility_bitmask.h"
+#include "screen_space/horizon/visibility_bitmask.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "screen_space/peers/every_pixel.h"
-#include "screen_space/peers/slice_integral.h"
+#include "screen_space/horizon/every_pixel.h"
+#include "screen_space/horizon/slice_integral.h"
 
 namespace plumb {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/statistics.h"
-#include "tests/screen_space/peer_scenes.h"
+#include "tests/screen_space/horizon_scenes.h"
 
 namespace plumb {
 namespace {
@@ -63,7 +63,7 @@ bool AllWithin01(const Image<float>& image) {
     return true;
 }
 
-TEST(Peers, SameBitsOnOneThreadAndTwo) {
+TEST(HorizonMethods, SameBitsOnOneThreadAndTwo) {
     const GBuffer g = Mixed(60);
     for (const auto& technique : Techniques()) {
         SetThreadCount(1);
@@ -78,7 +78,7 @@ TEST(Peers, SameBitsOnOneThreadAndTwo) {
 }
 
 // Whatever the width of the machine's vectors: each kind that this one has, against its best.
-TEST(Peers, SameBitsOnEveryKindOfMachine) {
+TEST(HorizonMethods, SameBitsOnEveryKindOfMachine) {
     const GBuffer g = Mixed(45);  // No multiple of any width.
     const auto pictures = [&] {
         std::vector<Image<float>> all;
@@ -97,7 +97,7 @@ TEST(Peers, SameBitsOnEveryKindOfMachine) {
 }
 
 // A part of the picture is that part of the whole picture; elsewhere nothing is computed.
-TEST(Peers, ComputeThePartAskedFor) {
+TEST(HorizonMethods, ComputeThePartAskedFor) {
     const GBuffer g = Mixed(50);
     const PixelRect where{11, 7, 40, 33};
     const SliceSampling s{.radius_m = 2};
@@ -114,7 +114,7 @@ TEST(Peers, ComputeThePartAskedFor) {
     }
 }
 
-TEST(Peers, SkyIsOne) {
+TEST(HorizonMethods, SkyIsOne) {
     const GBuffer g = Mixed(40);
     for (const auto& technique : Techniques()) {
         const Image<float> A = technique(g, {});
@@ -128,7 +128,7 @@ TEST(Peers, SkyIsOne) {
 // No length is built in: a scene in centimetres, lengths of the options too, gives the same
 // picture. Tolerance: z in float rounds otherwise by up to 2^-24 of 5 m, over a pixel of 0.1
 // m, which turns angles by 3e-6; and a sample may change sides of the radius, or of a sector.
-TEST(Peers, DoNotKnowTheUnit) {
+TEST(HorizonMethods, DoNotKnowTheUnit) {
     const GBuffer metres = Mixed(50), centimetres = Mixed(50, 128);
     for (int k = 0; k < 4; ++k) {
         const Image<float> a = Techniques()[k](metres, {.radius_m = 1.3});
@@ -137,7 +137,7 @@ TEST(Peers, DoNotKnowTheUnit) {
     }
 }
 
-TEST(Peers, RadiusEndsWhatIsSeen) {
+TEST(HorizonMethods, RadiusEndsWhatIsSeen) {
     const GBuffer g = MadeGBuffer(MadeView(60, 60), MadeSphereOverPlane());
     // At the corners the nearest of the sphere is more than 2 m away.
     for (const auto& technique : Techniques()) {
@@ -220,7 +220,7 @@ TEST(Gtao, OneSliceIsUnbiasedOverItsTurns) {
     EXPECT_GT(moments.Variance(), 0.01);
 }
 
-TEST(Peers, NeverGiveNanWhateverTheDepths) {
+TEST(HorizonMethods, NeverGiveNanWhateverTheDepths) {
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     GBuffer g =
         Mixed(33);  // Odd: the rays of the middle column have x = 0, and 0 times infinity.
@@ -238,7 +238,7 @@ TEST(Peers, NeverGiveNanWhateverTheDepths) {
     }
 }
 
-TEST(Peers, OnePixelAndAWallAtTheEye) {
+TEST(HorizonMethods, OnePixelAndAWallAtTheEye) {
     const GBuffer pixel = MadeGBuffer(MadeView(1, 1), MadePlane({0.5, 0, 1}, -2));
     const GBuffer at_eye = MadeGBuffer(MadeView(16, 16), MadePlane({0.5, 0, 1}, -1e-4));
     for (const auto& technique : Techniques()) {
@@ -257,7 +257,7 @@ std::string MessageOf(const Call& call) {
     return "no error";
 }
 
-TEST(Peers, ValidateTheirOptions) {
+TEST(HorizonMethods, ValidateTheirOptions) {
     const GBuffer g = Mixed(4);
     EXPECT_EQ(MessageOf([&] { Hbao(g, {.sampling = {.radius_m = 0}}); }),
               "HbaoOptions::radius_m = 0, must be in [1e-4, 1e7]");

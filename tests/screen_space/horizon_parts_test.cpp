@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "screen_space/peers/slice_integral.h"
-#include "tests/screen_space/peer_scenes.h"
+#include "screen_space/horizon/slice_integral.h"
+#include "tests/screen_space/horizon_scenes.h"
 
 namespace plumb {
 namespace {

@@ -1,11 +1,11 @@
-#include "screen_space/peers/hbao.h"
+#include "screen_space/horizon/hbao.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/error.h"
-#include "screen_space/peers/every_pixel.h"
+#include "screen_space/horizon/every_pixel.h"
 
 namespace plumb {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/screen_space/peer_scenes.h"
+#include "tests/screen_space/horizon_scenes.h"
 
 namespace plumb {
 namespace {

@@ -17,13 +17,13 @@
 // Symbols  C receiver (m), d = |Q - C| (m), r radius (m), theta direction on screen (rad).
 // Beware   Directions are evenly spread on screen: off the picture's middle, where the line of
 //          sight is not the axis, the integral is a little off the solid angle, as published.
-//          The sky has A = 1. Slices, steps and snapping: screen_space/peers/slice_march.h.
+//          The sky has A = 1. Slices, steps and snapping: screen_space/horizon/slice_march.h.
 // Cost     directions x steps depth lookups a pixel.
 #pragma once
 
 #include "core/image.h"
 #include "screen_space/gbuffer.h"
-#include "screen_space/peers/slice_march.h"
+#include "screen_space/horizon/slice_march.h"
 #include "screen_space/pixel_rect.h"
 
 namespace plumb {

@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "core/image.h"
-#include "screen_space/peers/gtao.h"
-#include "screen_space/peers/hbao.h"
-#include "screen_space/peers/visibility_bitmask.h"
+#include "screen_space/horizon/gtao.h"
+#include "screen_space/horizon/hbao.h"
+#include "screen_space/horizon/visibility_bitmask.h"
 #include "screen_space/pixel_rect.h"
 
 namespace plumb {

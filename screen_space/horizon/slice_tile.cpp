@@ -1,4 +1,4 @@
-#include "screen_space/peers/slice_tile.h"
+#include "screen_space/horizon/slice_tile.h"
 
 #include <cmath>
 #include <numbers>

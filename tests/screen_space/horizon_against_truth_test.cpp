@@ -9,8 +9,8 @@
 
 #include "core/statistics.h"
 #include "rays/embree/embree_caster.h"
-#include "screen_space/peers/gtao.h"
-#include "screen_space/peers/visibility_bitmask.h"
+#include "screen_space/horizon/gtao.h"
+#include "screen_space/horizon/visibility_bitmask.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "tests/screen_space/flat_scenes.h"
 #include "truth/near_visibility.h"

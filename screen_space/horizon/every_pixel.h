@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/image.h"
-#include "screen_space/peers/slice_march.h"
-#include "screen_space/peers/slice_tile.h"
+#include "screen_space/horizon/slice_march.h"
+#include "screen_space/horizon/slice_tile.h"
 #include "screen_space/pixel_rect.h"
 
 namespace plumb {

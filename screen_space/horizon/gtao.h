@@ -30,7 +30,7 @@
 
 #include "core/image.h"
 #include "screen_space/gbuffer.h"
-#include "screen_space/peers/slice_march.h"
+#include "screen_space/horizon/slice_march.h"
 #include "screen_space/pixel_rect.h"
 
 namespace plumb {

@@ -3,17 +3,17 @@
 #include <limits>
 #include <numbers>
 
-#include "screen_space/peers/slice_tile.h"
+#include "screen_space/horizon/slice_tile.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "screen_space/peers/bitmask_tile.cpp"
+#define HWY_TARGET_INCLUDE "screen_space/horizon/bitmask_tile.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::HWY_NAMESPACE {
 
-#include "screen_space/peers/slice_lanes.inc"
+#include "screen_space/horizon/slice_lanes.inc"
 
 namespace {
 

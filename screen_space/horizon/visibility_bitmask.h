@@ -20,7 +20,7 @@
 // Source   [Therrien23] O. Therrien, Y. Levesque, G. Gilet, Screen Space Indirect Lighting
 //          with Visibility Bitmask, 2023, and its shader: uniform sectors, kCeil, 32 of them.
 //          kRound and cosine sectors: ours, after the same mending elsewhere.
-// Symbols  S sectors; others: screen_space/peers/slice_march.h, slice_integral.h.
+// Symbols  S sectors; others: screen_space/horizon/slice_march.h, slice_integral.h.
 // Beware   kCeil counts too many: a sample closes at least one sector however thin it is, so
 //          that a plane, whose samples lie on the edge of the hemisphere, loses one on each
 //          side. Uniform sectors are even in angle, which is neither alpha nor V: a cone of
@@ -35,7 +35,7 @@
 
 #include "core/image.h"
 #include "screen_space/gbuffer.h"
-#include "screen_space/peers/slice_march.h"
+#include "screen_space/horizon/slice_march.h"
 #include "screen_space/pixel_rect.h"
 
 namespace plumb {

@@ -26,7 +26,7 @@ const std::vector<Library> kLibraries{
     {"tiffio.h", {"io"}, {}},
     {"embree3/", {"rays"}, {}},
     {"ceres/", {"fit"}, {}},
-    {"hwy/", {"heightfield", "formfactor", "screen_space"}, {}},
+    {"hwy/", {"heightfield", "formfactor", "rays", "screen_space"}, {}},
     {"oneapi/tbb/", {"core"}, {}},
     {"CLI/", {"app"}, {"app"}},  // nobody includes app/, so it goes no further
     // Of the system: files, terminals and signals. Kernels know none of them.

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/srgb.h"
 #include "io/whole_file.h"
 
 namespace plumb {
@@ -33,14 +34,6 @@ void Encode(const std::filesystem::path& path, const std::string& format, OIIO::
     }
     WriteWholeFile(path,
                    std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-}
-
-double EncodeSrgb(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-double DecodeSrgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 std::uint8_t PreviewByte(float linear) {

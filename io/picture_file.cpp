@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/srgb.h"
 #include "io/image_format.h"
 #include "io/whole_file.h"
 
@@ -44,10 +45,6 @@ std::string FormatOf(std::string_view bytes, const std::string& name) {
     if (ending == ".tga") return "tga";
     throw Error(name +
                 ": is no picture of a known format (PNG, JPEG, TGA, BMP, TIFF, EXR, HDR, GIF)");
-}
-
-double Linear(double encoded) {  // [IEC61966]
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 std::string FirstLine(const std::string& text) {
@@ -115,7 +112,7 @@ Picture Decode(std::string_view bytes, const std::string& name, PictureOf of,
             const bool good = std::isfinite(stored) && stored >= 0;
             picture.had_bad_numbers = picture.had_bad_numbers || !good;
             const double value = good ? stored : 0;
-            picture.linear.Pixels()[p][c] = float(encoded ? Linear(value) : value);
+            picture.linear.Pixels()[p][c] = float(encoded ? DecodeSrgb(value) : value);
         }
         if (channels.opacity >= 0) {
             const float stored = numbers[p * n + std::size_t(channels.opacity)];

@@ -2,8 +2,11 @@
 // flag or the file, before anything is written.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <fstream>
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "tests/faults/program.h"
 #include "tests/io/temp_folder.h"
@@ -22,6 +25,12 @@ void PrintTo(const Wrong& wrong, std::ostream* out) {
     *out << wrong.line;
 }
 
+std::string Pfm(int width, int height, const std::vector<float>& pixels) {
+    return "Pf\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1\n" +
+           std::string(reinterpret_cast<const char*>(pixels.data()),
+                       pixels.size() * sizeof(float));
+}
+
 class CommandLines : public TempFolder, public testing::WithParamInterface<Wrong> {};
 
 TEST_P(CommandLines, AreRefused) {
@@ -37,6 +46,12 @@ TEST_P(CommandLines, AreRefused) {
     Put("no_sky.json", R"({"generator": "wedge", "environment": "gone.exr"})");
     Put("technique.json", R"({"generator": "wedge", "techniques": [{"name": "ssao"}]})");
     Put("table.csv", "bin,E0\n0,nan\n");
+    Put("grey.pfm", Pfm(2, 1, {0.25F, 0.5F}));
+    Put("wide.pfm", Pfm(3, 1, {0.25F, 0.5F, 1}));
+    Put("nan.pfm", Pfm(2, 1, {0.25F, std::nanf("")}));
+    Put("infinite.pfm", Pfm(2, 1, {0.25F, INFINITY}));
+    Put("black.pfm", Pfm(2, 1, {0, 0}));
+    Put("cut.pfm", "Pf\n2 1\n-1\n0000");
     const Ended ended = RunPlumb(Words(GetParam().line), {.folder = folder_}, 20);
     EXPECT_FALSE(ended.was_killed) << "after " << ended.clock_s << " s";
     EXPECT_EQ(ended.status, 2) << ended.errors;
@@ -204,6 +219,47 @@ constexpr Wrong kReport[] = {
     {"report wedge --out ''", "--out"},
 };
 
+constexpr Wrong kScore[] = {
+    {"score", "files"},
+    {"score grey.pfm", "at least two files"},
+    {"score gone.png grey.pfm", "gone.png"},
+    {"score grey.pfm gone.exr", "gone.exr"},
+    {"score grey.pfm gone.hdr", "gone.hdr"},
+    {"score grey.pfm text.png", "text.png"},
+    {"score empty.png grey.pfm", "empty.png"},
+    {"score void.json grey.pfm", "void.json"},
+    {"score cut.pfm grey.pfm", "cut.pfm"},
+    {"score wide.pfm grey.pfm", "wide.pfm: is 3 x 1 pixels, must be 2 x 1 as grey.pfm"},
+    {"score nan.pfm grey.pfm", "nan.pfm: 1 pixels are not finite, the first at (1, 0)"},
+    {"score grey.pfm infinite.pfm", "infinite.pfm: 1 pixels are not finite"},
+    {"score nan.pfm grey.pfm --mask black.pfm", "no pixel is left"},
+    {"score grey.pfm grey.pfm --mask wide.pfm", "--mask wide.pfm: is 3 x 1"},
+    {"score grey.pfm grey.pfm --mask gone.png", "gone.png"},
+    {"score grey.pfm:V grey.pfm", "channel = V, must be one of"},
+    {"score grey.pfm: grey.pfm", "no channel"},
+    {"score grey.pfm grey.pfm --channel V", "channel = V"},
+    {"score grey.pfm grey.pfm --region seen", "depth_m"},
+    {"score grey.pfm grey.pfm --region all", "--region = all"},
+    {"score grey.pfm grey.pfm --crop 0 0 3 1", "--crop"},
+    {"score grey.pfm grey.pfm --crop 0 0 0 0", "--crop"},
+    {"score grey.pfm grey.pfm --crop 0 0 1", "--crop"},
+    {"score grey.pfm grey.pfm --crop -1 0 1 1", "--crop"},
+    {"score grey.pfm grey.pfm --encoding gamma", "--encoding"},
+    {"score grey.pfm grey.pfm --bad-pixels keep", "--bad-pixels"},
+    {"score grey.pfm grey.pfm --flip best", "--flip"},
+    {"score black.pfm black.pfm --flip hdr --like oiio-flop", "--like oiio-flop"},
+    {"score grey.pfm grey.pfm --tone filmic", "--tone"},
+    {"score grey.pfm grey.pfm --pixels-per-degree 0", "--pixels-per-degree = "},
+    {"score grey.pfm grey.pfm --pixels-per-degree nan", "--pixels-per-degree = "},
+    {"score grey.pfm grey.pfm --peak 0", "--peak"},
+    {"score grey.pfm grey.pfm --peak inf", "--peak"},
+    {"score grey.pfm grey.pfm --like idif", "did you mean idiff?"},
+    {"score grey.pfm grey.pfm --fail-under psnr", "--fail-under psnr"},
+    {"score grey.pfm grey.pfm --fail-under psnr=x", "--fail-under psnr=x"},
+    {"score grey.pfm grey.pfm --fail-over fl1p=0.1", "did you mean flip?"},
+    {"score grey.pfm grey.pfm --out ''", "--out"},
+};
+
 constexpr Wrong kBench[] = {
     {"bench", "--help"},
     {"bench nothing", "nothing"},
@@ -220,6 +276,8 @@ constexpr Wrong kBench[] = {
     {"bench truth wedge --rows 0", "--rows"},
     {"bench truth wedge --paths -1", "--paths"},
     {"bench truth wedge --height 0", "--height"},
+    {"bench score --width 0", "--width"},
+    {"bench score --rounds 0", "--rounds"},
     {"bench ao gone.json", "gone.json"},
     {"bench ao wedge --radius 0", "--radius"},
     {"bench ao wedge --radius nan", "--radius"},
@@ -234,6 +292,7 @@ INSTANTIATE_TEST_SUITE_P(Fit, CommandLines, testing::ValuesIn(kFit));
 INSTANTIATE_TEST_SUITE_P(Truth, CommandLines, testing::ValuesIn(kTruth));
 INSTANTIATE_TEST_SUITE_P(Render, CommandLines, testing::ValuesIn(kRender));
 INSTANTIATE_TEST_SUITE_P(Report, CommandLines, testing::ValuesIn(kReport));
+INSTANTIATE_TEST_SUITE_P(Score, CommandLines, testing::ValuesIn(kScore));
 INSTANTIATE_TEST_SUITE_P(Bench, CommandLines, testing::ValuesIn(kBench));
 
 }  // namespace

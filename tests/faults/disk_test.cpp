@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <sys/mount.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <ostream>
+#include <string>
 
+#include "core/random.h"
 #include "tests/faults/program.h"
 #include "tests/io/temp_folder.h"
 
@@ -27,10 +30,27 @@ constexpr const char* kWriters[] = {
     "report wedge --width 64 --height 36 --spp 16 --rounds 1 --no-studies --technique "
     "gtao-xegtao "
     "--out out",
+    "score a.pfm b.pfm --out out",
 };
+
+/// A picture of noise, which no format makes small.
+std::string Noise(int width, int height, std::uint64_t seed) {
+    std::string bytes =
+        "Pf\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1\n";
+    for (int p = 0; p < width * height; ++p) {
+        const float value = float(RandomUnit(seed, std::uint64_t(p), 0, 0));
+        bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    return bytes;
+}
 
 class Writers : public TempFolder, public testing::WithParamInterface<const char*> {
   protected:
+    void SetUp() override {
+        Put("a.pfm", Noise(64, 64, 1));
+        Put("b.pfm", Noise(64, 64, 2));
+    }
+
     void ExpectStatus3(const Ended& ended, const char* words) {
         EXPECT_EQ(ended.status, 3) << ended.errors;
         EXPECT_THAT(ended.errors, HasSubstr(words));
@@ -62,6 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Every, Writers, testing::ValuesIn(kWriters));
 class Talkers : public TempFolder, public testing::WithParamInterface<const char*> {};
 
 TEST_P(Talkers, AStandardOutputThatTakesNothingIsStatus3) {
+    Put("a.pfm", Noise(8, 8, 1));
     const Ended ended =
         RunPlumb(Words(GetParam()), {.folder = folder_, .standard_output = "/dev/full"});
     EXPECT_EQ(ended.status, 3);
@@ -83,6 +104,9 @@ constexpr const char* kTalkers[] = {
     "gtao-xegtao "
     "--json",
     "bench raster wedge --width 32 --height 32 --rounds 5 --json",
+    "score a.pfm a.pfm",
+    "score a.pfm a.pfm --json",
+    "bench score --width 32 --height 32",
 };
 
 INSTANTIATE_TEST_SUITE_P(Every, Talkers, testing::ValuesIn(kTalkers));

@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdint>
+#include <filesystem>
 #include <ostream>
 
 #include "tests/faults/program.h"
@@ -27,7 +29,15 @@ void PrintTo(const Long& work, std::ostream* out) {
     *out << work.line;
 }
 
-class Signals : public TempFolder, public testing::WithParamInterface<Long> {};
+class Signals : public TempFolder, public testing::WithParamInterface<Long> {
+  protected:
+    // A black picture of 2^24 pixels that takes no room on the disk.
+    void SetUp() override {
+        const std::string head = "Pf\n4096 4096\n-1\n";
+        std::filesystem::resize_file(Put("large.pfm", head),
+                                     head.size() + std::uintmax_t{4096} * 4096 * sizeof(float));
+    }
+};
 
 TEST_P(Signals, EndTheRunWithin2Seconds) {
     for (const int signal : {SIGINT, SIGTERM}) {
@@ -59,6 +69,8 @@ constexpr Long kWork[] = {
     {"truth wedge --facets --spp 65536", 0.5},
     {"render atrium --technique sao-paper --samples 4096", 0.5},
     {"report atrium", 0.5},
+    {"score large.pfm large.pfm", 0.1},
+    {"score large.pfm large.pfm large.pfm", 2},
     {"bench light make:stone_wall:512", 1},
     {"bench raster atrium --rounds 1000", 0.5},
     {"bench truth atrium --paths 100000000", 1},

@@ -173,6 +173,13 @@ TEST(FlipColour, ByHand) {
     EXPECT_DOUBLE_EQ(HyAb({3, 0, 0}, {1, 3, 4}), 7);
 }
 
+TEST(FlipColour, CubeRootIsThatOfTheLibrary) {
+    double worst = 0;  // At most 2/3 (2/3 0.04^3)^3 = 5e-14.
+    for (double x = 0.001; x < 10; x *= 1.0007)
+        worst = std::max(worst, std::abs(CubeRoot(x) / std::cbrt(x) - 1));
+    EXPECT_LT(worst, 1e-13);
+}
+
 // Roots of the published curves at 0.85, to six decimals.
 TEST(ToneCurve, BrightestShown) {
     EXPECT_NEAR(BrightestShown(ToneCurve::kAces), 2.118872, 5e-7);

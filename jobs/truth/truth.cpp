@@ -43,15 +43,6 @@ void AddQuantities(const TruthCounts& counts, const TruthJob& job, TruthPictures
     if (counts.beauty) pictures.AddColourOfPixels("beauty", *counts.beauty);
 }
 
-Lost LostIn(const TruthCounts& counts) {
-    Lost lost;
-    if (counts.alpha) lost += counts.alpha->lost;
-    if (counts.V) lost += counts.V->lost;
-    if (counts.walks) lost += counts.walks->lost;
-    if (counts.irradiance) lost += counts.irradiance->lost;
-    return lost;
-}
-
 // Warnings that a run still makes sense with.
 std::vector<std::string> Warnings(const RayCaster& caster, const Scene& scene,
                                   const Camera& camera, const PixelGeometry& pixels) {

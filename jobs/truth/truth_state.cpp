@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "io/content_hash.h"
-#include "jobs/truth/sources_hash.h"
 
 namespace plumb {
 namespace {
@@ -145,15 +144,24 @@ void Merge(TruthCounts& all, TruthCounts&& later) {
     all.points += later.points;
 }
 
+Lost LostIn(const TruthCounts& counts) {
+    Lost lost;
+    if (counts.alpha) lost += counts.alpha->lost;
+    if (counts.V) lost += counts.V->lost;
+    if (counts.walks) lost += counts.walks->lost;
+    if (counts.irradiance) lost += counts.irradiance->lost;
+    return lost;
+}
+
 std::string KeyOfTruth(const LoadedScene& loaded, const Camera& camera, const TruthJob& job,
-                       const std::string& tool_version) {
+                       const std::string& tool_version, const std::string& sources_hash) {
     std::ostringstream text;
     const bool walks = job.bounces > 0, near = job.reach_m > 0;
-    text << std::hexfloat << tool_version << ' ' << TruthSourcesHash() << ' ' << loaded.digest
-         << ' ' << job.seed << ' ' << job.alpha << ' ' << (job.V && !walks) << ' '
-         << job.irradiance << ' ' << job.beauty << ' ' << job.bounces << ' ' << job.reach_m
-         << ' ' << (near ? int(job.falloff) : 0) << ' ' << camera.fov_rad << ' '
-         << camera.width_px << ' ' << camera.height_px;
+    text << std::hexfloat << tool_version << ' ' << sources_hash << ' ' << loaded.digest << ' '
+         << job.seed << ' ' << job.alpha << ' ' << (job.V && !walks) << ' ' << job.irradiance
+         << ' ' << job.beauty << ' ' << job.bounces << ' ' << job.reach_m << ' '
+         << (near ? int(job.falloff) : 0) << ' ' << camera.fov_rad << ' ' << camera.width_px
+         << ' ' << camera.height_px;
     for (const Vec3& v : {camera.position_m, camera.target_m, camera.up}) {
         text << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
     }

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "jobs/truth/sources_hash.h"
 #include "jobs/truth/truth.h"
+#include "jobs/truth/truth_nets.h"
 #include "truth/beauty.h"
 #include "truth/escape_walk.h"
 #include "truth/irradiance.h"
@@ -18,7 +20,6 @@
 
 namespace plumb {
 
-inline constexpr int kTruthNets = 8;
 inline constexpr std::int64_t kFirstPassPoints = 8;  ///< Of each net; doubled by every pass.
 
 /// Which members are there follows from the job.
@@ -39,10 +40,14 @@ struct TruthSizes {
 /// Adds later points of the same nets.
 void Merge(TruthCounts& all, TruthCounts&& later);
 
+/// Walks lost in all quantities together.
+Lost LostIn(const TruthCounts& counts);
+
 /// SHA-256 of all that decides the counts, the code that makes them too, but not of when to
 /// stop nor of what is derived from the counts (albedos).
 std::string KeyOfTruth(const LoadedScene& loaded, const Camera& camera, const TruthJob& job,
-                       const std::string& tool_version);
+                       const std::string& tool_version,
+                       const std::string& sources_hash = TruthSourcesHash());
 
 std::string ToBytes(const TruthCounts& counts, const std::string& key);
 

@@ -10,6 +10,7 @@
 #include "core/image.h"
 #include "core/monitor.h"
 #include "core/scene.h"
+#include "jobs/truth/truth_nets.h"
 #include "truth/near_visibility.h"
 #include "truth/pixels.h"
 #include "truth/sky.h"
@@ -41,8 +42,5 @@ struct ViewTruth {
 ViewTruth MeasureViewTruth(const RayCaster& caster, const Scene& scene, const Camera& camera,
                            std::span<const Falloff> falloffs, const ViewTruthOptions& options,
                            Monitor& monitor = SilentMonitor());
-
-/// Nets of a truth: its standard errors have one less degrees of freedom.
-inline constexpr int kTruthNets = 8;
 
 }  // namespace plumb

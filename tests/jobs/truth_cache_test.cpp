@@ -21,18 +21,19 @@ struct Keyed {
     LoadedScene loaded{FloorAndWall(16, 12), {}, "digest"};
     Camera camera = FloorAndWall(16, 12).cameras.front();
     TruthJob job;
-    std::string version = "1";
+    std::string version = "1", sources = "hash";
 
     Keyed() {
         job.reach_m = 1;
         job.bounces = 2;
     }
-    std::string Key() const { return KeyOfTruth(loaded, camera, job, version); }
+    std::string Key() const { return KeyOfTruth(loaded, camera, job, version, sources); }
 };
 
 TEST(TruthKey, ChangesWithEveryFieldThatDecides) {
     const std::map<std::string, std::function<void(Keyed&)>> changes{
         {"version", [](Keyed& k) { k.version = "2"; }},
+        {"sources", [](Keyed& k) { k.sources = "other"; }},
         {"scene", [](Keyed& k) { k.loaded.digest = "other"; }},
         {"seed", [](Keyed& k) { k.job.seed = 2; }},
         {"alpha", [](Keyed& k) { k.job.alpha = false; }},
@@ -68,6 +69,13 @@ TEST(TruthKey, ChangesWithEveryFieldThatDecides) {
         change(changed);
         EXPECT_TRUE(keys.insert(changed.Key()).second) << name << " is not in the key";
     }
+}
+
+// The sources are those that were compiled unless a test says otherwise.
+TEST(TruthKey, IsOfTheSourcesOfThisProgram) {
+    const Keyed k;
+    EXPECT_EQ(KeyOfTruth(k.loaded, k.camera, k.job, "1"),
+              KeyOfTruth(k.loaded, k.camera, k.job, "1", TruthSourcesHash()));
 }
 
 TEST(TruthKey, StaysWithEveryFieldThatDoesNot) {
@@ -150,12 +158,12 @@ TEST(SceneDigest, IsOfAllThatLightDependsOnAndOfNothingElse) {
     EXPECT_EQ(DigestOf(same), DigestOf(Rich()));
 }
 
-// Expected: from the sources as they lie there, hashed here anew. Fails if a file of core/,
+// Expected: from the sources as they lie there, hashed here anew. Fails if a file of core/, rays/,
 // truth/ or jobs/truth/ is not in the hash, or was changed after it was made.
 TEST(TruthSourcesHash, IsOfTheSourcesThatCompute) {
     const std::filesystem::path root = PLUMB_SOURCE_DIR;
     std::vector<std::string> files;
-    for (const char* folder : {"core", "truth", "jobs/truth"}) {
+    for (const char* folder : {"core", "rays", "rays/embree", "truth", "jobs/truth"}) {
         for (const auto& entry : std::filesystem::directory_iterator(root / folder)) {
             const std::string ending = entry.path().extension().string();
             if (ending != ".h" && ending != ".cpp") continue;

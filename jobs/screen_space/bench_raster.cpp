@@ -12,11 +12,7 @@
 #include "screen_space/raster/near_plane.h"
 
 namespace plumb {
-namespace {
 
-constexpr int kSheetPx = 1000;  // Picture of the triangles of one size.
-
-// Right triangles side by side, sheet upon sheet, each a little nearer to the camera.
 Mesh TrianglesOfSize(double legs_px, std::int64_t count, const Camera& camera) {
     Mesh mesh;
     const std::int64_t a_row = std::int64_t((camera.width_px - 4) / legs_px);
@@ -36,6 +32,10 @@ Mesh TrianglesOfSize(double legs_px, std::int64_t count, const Camera& camera) {
     }
     return mesh;
 }
+
+namespace {
+
+constexpr int kSheetPx = 1000;  // Picture of the triangles of one size.
 
 std::vector<doc::Cell> TriangleRow(double legs_px, const RasterBenchSettings& settings,
                                    const RunContext& run) {

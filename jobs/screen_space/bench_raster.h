@@ -4,8 +4,11 @@
 // beside copying 4 bytes a drawn pixel.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "core/camera.h"
+#include "core/mesh.h"
 #include "core/run_context.h"
 #include "core/scene.h"
 #include "reports/document.h"
@@ -21,5 +24,9 @@ struct RasterBenchSettings {
 /// All cameras of the scene, then triangles of each size.
 doc::Document BenchRaster(const Scene& scene, const RasterBenchSettings& settings,
                           const RunContext& run);
+
+/// What is timed: `count` right triangles with legs of that length on the screen, side by side,
+/// sheet upon sheet, each a little nearer to the camera, which is at the origin and looks along +y.
+Mesh TrianglesOfSize(double legs_px, std::int64_t count, const Camera& camera);
 
 }  // namespace plumb

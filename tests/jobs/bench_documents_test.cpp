@@ -10,9 +10,12 @@
 #include "jobs/memory_copy.h"
 #include "jobs/screen_space/bench_ao.h"
 #include "jobs/screen_space/bench_raster.h"
+#include "jobs/screen_space/sao_traffic.h"
 #include "jobs/truth/bench_truth.h"
 #include "reports/render.h"
 #include "scenes/simple.h"
+#include "screen_space/raster/draw_gbuffer.h"
+#include "screen_space/raster/near_plane.h"
 #include "tests/jobs/stepping_clock.h"
 #include "tests/reports/json_schema.h"
 
@@ -35,6 +38,12 @@ void ExpectIsByItsSchema(const doc::Document& document) {
     EXPECT_THAT(SchemaErrors(PublishedSchema("document-1.json"),
                              nlohmann::json::parse(doc::ToJsonText(document))),
                 IsEmpty());
+}
+
+Camera Sized(Camera camera, int width_px, int height_px) {
+    camera.width_px = width_px;
+    camera.height_px = height_px;
+    return camera;
 }
 
 // Expected, by hand: 4 things, 3 rounds after one that warms up: thing t of round r is interval
@@ -74,6 +83,42 @@ TEST(BenchRaster, CountsWhatItTimes) {
     EXPECT_EQ(doc::NumberOf(triangles.At(1, "triangles")), 2222);
 }
 
+// Each section on the threads that it says: the clock looks who is at work.
+TEST(BenchRaster, TimesOneThreadWithOne) {
+    SetThreadCount(2);
+    std::vector<int> threads;
+    double now_s = 0;
+    BenchRaster(BoxOnPlane(), {.width_px = 64, .height_px = 48, .rounds = 1, .legs_px = {100}},
+                {.clock = [&] {
+                    threads.push_back(ThreadCount());
+                    return now_s += 1;
+                }});
+    SetThreadCount(0);
+    // Twice each, the warm-up too: 4 things of a view and a copy; triangles with a copy, and a copy.
+    std::vector<int> expected(2 * 2 * 5, 2);
+    expected.insert(expected.end(), 2 * 2 * 3, 1);
+    EXPECT_EQ(threads, expected);
+}
+
+// Expected: triangles of legs l that do not overlap cover l^2 / 2 pixels each. Tolerance: the long side,
+// which may pass through the centres of l pixels that then all are in or all out: l / 2, and one.
+TEST(BenchRaster, DrawsTrianglesOfTheSizeThatItSays) {
+    const Camera camera{
+        .position_m = {0, 0, 0}, .target_m = {0, 1, 0}, .width_px = 1000, .height_px = 1000};
+    for (const double legs_px : {7.3, 40.0, 100.0, 300.0}) {
+        const std::int64_t side = std::int64_t(996 / legs_px);
+        Scene scene;
+        scene.materials.push_back({});
+        scene.mesh = TrianglesOfSize(legs_px, side * side, camera);
+        scene.material_of_face.assign(scene.mesh.quads.size(), 0);
+        const GBuffer g = DrawGBuffer(scene, camera, {});
+        const auto sky = std::ranges::count(g.triangle.Pixels(), GBuffer::kSky);
+        EXPECT_NEAR((1e6 - double(sky)) / double(side * side), legs_px * legs_px / 2,
+                    legs_px / 2 + 1)
+            << legs_px;
+    }
+}
+
 // Expected, by hand: 7 things, 1 round after one that warms up: they take 8, 9, ... 14 s. Titles
 // name the radius that was asked for.
 TEST(BenchAo, HasTheTimesAndTheRadiusThatItSays) {
@@ -88,6 +133,12 @@ TEST(BenchAo, HasTheTimesAndTheRadiusThatItSays) {
     ExpectIs(passes.At(0, "alchemy_ms"), 9000, 9000, 9000);
     ExpectIs(passes.At(0, "alchemy_over_sao"), 9.0 / 8, 9.0 / 8, 9.0 / 8);
     ExpectIs(passes.At(0, "of_copy"), 8.0 / 14, 8.0 / 14, 8.0 / 14);
+    // 64 x 48 px within 8 px: drawn are 80 x 64.
+    const GBuffer gbuffer = DrawGBuffer(scene, Sized(scene.cameras.front(), 64, 48),
+                                        SuitedTo(scene, scene.cameras.front(), 8));
+    const double bytes =
+        TotalBytes(SaoTraffic(gbuffer, SaoWith("supplement2012", {.radius_m = 0.7})));
+    EXPECT_DOUBLE_EQ(doc::NumberOf(passes.At(0, "bytes_per_pixel")), bytes / (80 * 64));
     const doc::Table& sampling = doc::TableOf(bench, "sampling");
     EXPECT_EQ(doc::NumberOf(sampling.At(0, "near_ms")), 10000);
     EXPECT_EQ(doc::NumberOf(sampling.At(0, "far_ms")), 11000);
@@ -138,6 +189,33 @@ TEST(BenchTruth, ComparesTheSameRaysAndFindsTheSlopes) {
               doc::NumberOf(errors.At(4, "rms_independent")));
 }
 
+// Law: of n independent samples V errs by sqrt(V (1 - V) / n), 1 / (2 sqrt n) at most; a quarter of
+// that at least, since V is seldom near 0 or 1 in a box. Tolerance: an RMS of 96 x 8 estimates is
+// known to 1 in sqrt(2 * 768), 3 %.
+TEST(BenchTruth, ErrorsOfIndependentSamplesAreBinomial) {
+    TruthBenchSettings settings;
+    settings.width_px = 96;
+    settings.height_px = 64;
+    settings.pixel_rows = 8;
+    settings.rounds = 1;
+    settings.threads = {1};
+    settings.furnace_paths = 1;
+    settings.reference_rays = 65536;
+    const doc::Document bench =
+        BenchTruth(LoadScene("cornell_box"), settings, {.clock = SteppingClock()});
+    const doc::Table& errors = doc::TableOf(bench, "convergence");
+    for (std::size_t k = 0; k < errors.rows.size(); ++k) {
+        const double most = 0.5 / std::sqrt(doc::NumberOf(errors.At(k, "rays")));
+        EXPECT_LT(doc::NumberOf(errors.At(k, "rms_independent")), 1.1 * most);
+        EXPECT_GT(doc::NumberOf(errors.At(k, "rms_independent")), most / 4);
+        EXPECT_LT(doc::NumberOf(errors.At(k, "rms_nets")), 1.1 * most);
+    }
+    // One batch: 250 receivers, 8 nets of 512 walks. Every walk comes back.
+    EXPECT_EQ(doc::NumberOf(doc::FactOf(bench, "paths")), 250 * 8 * 512);
+    EXPECT_EQ(doc::NumberOf(doc::FactOf(bench, "lost")), 0);
+    EXPECT_EQ(doc::NumberOf(doc::FactOf(bench, "deficit")), 0);
+}
+
 // Expected: with a clock that goes on by 1 s at each look, a stage or a turn takes 1 s, so that a
 // rate is the count itself. Errors and links are those of the study and of the simulation run by
 // themselves.
@@ -165,6 +243,8 @@ TEST(BenchLight, HasTheCountsOfWhatItRan) {
     by_slices.slices.slices = 8;
     const Links links = MakeLinksOf(field, FacetPieces(field, by_slices.cut), by_slices);
     EXPECT_EQ(doc::NumberOf(whole.At(0, "links")), double(links.Count()));
+    EXPECT_DOUBLE_EQ(doc::NumberOf(whole.At(0, "bytes_per_link")),
+                     double(links.MemoryBytes()) / double(links.Count()));
 
     const double rays = facets * 4;
     EXPECT_EQ(doc::NumberOf(doc::FactOf(bench, "casting_rays")), rays);
@@ -188,6 +268,30 @@ TEST(BenchLight, HasTheCountsOfWhatItRan) {
     for (std::size_t k = 1; k < 4; ++k) {
         EXPECT_LT(doc::NumberOf(errors.At(k, "rms_v")),
                   doc::NumberOf(errors.At(k - 1, "rms_v")));
+    }
+}
+
+// Expected: with a clock of which each interval is longer than the last, bounces, which come later,
+// take longer than links, and all of it longer than both.
+TEST(BenchLight, HasEachStageInItsColumn) {
+    const Surface surface = LoadSurface("make:bricks:16");
+    double now_s = 0, step_s = 0;
+    const doc::Document bench =
+        BenchLight(surface,
+                   {.slices = 4,
+                    .rays = 8,
+                    .bounces = 1,
+                    .casting_rays = 1,
+                    .rounds = 1,
+                    .study_convergence = false},
+                   [] { return 0.0; }, {.clock = [&] { return now_s += step_s += 1; }});
+    const doc::Table& whole = doc::TableOf(bench, "simulations");
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double links_s = doc::NumberOf(whole.At(k, "links_s"));
+        const double bounces_s = doc::NumberOf(whole.At(k, "bounces_s"));
+        EXPECT_GT(links_s, 0);
+        EXPECT_GT(bounces_s, links_s);
+        EXPECT_GT(doc::NumberOf(whole.At(k, "total_s")), links_s + bounces_s);
     }
 }
 

@@ -227,5 +227,39 @@ TEST(Presets, Bitmasks) {
     ExpectAll("bitmask-cosine", Over(published, {{"measure", "cosine"}, {"ends", "round"}}));
 }
 
+// What each means to compute, by its own equations: SAO's by the factor that a tap loses with its
+// distance v (eq. 1, A and D: none within the disc; B: (r^2 - v^2)^3; C and high quality: 1 - v^2 / r^2),
+// HBAO's attenuation 1 - v^2 / r^2, GTAO's fade from a share of r on. XeGTAO's longer reach was fitted
+// to what is hard.
+TEST(Presets, AreScoredAgainstTheTruthOfTheirFalloff) {
+    const auto falloff = [](const char* name, const KnobValues& values) {
+        return FindTechnique(name).with(values).falloff;
+    };
+    EXPECT_EQ(falloff("sao-paper", {}), Falloff::kHard);
+    EXPECT_EQ(falloff("sao-supplement2012", {}), Falloff::kSao);
+    EXPECT_EQ(falloff("sao-g3d10", {}), Falloff::kQuadratic);
+    EXPECT_EQ(falloff("alchemy", {}), Falloff::kHard);
+    EXPECT_EQ(falloff("hbao", {}), Falloff::kQuadratic);
+    EXPECT_EQ(falloff("hbao", {{"attenuate", 0}}), Falloff::kHard);
+    EXPECT_EQ(falloff("gtao-paper", {}), Falloff::kFarEnd);
+    EXPECT_EQ(falloff("gtao-paper", {{"falloff_start", 1}}), Falloff::kHard);
+    EXPECT_EQ(falloff("gtao-xegtao", {}), Falloff::kHard);
+    EXPECT_EQ(falloff("gtao-hard", {}), Falloff::kHard);
+    EXPECT_EQ(falloff("bitmask", {}), Falloff::kHard);
+    EXPECT_EQ(falloff("bitmask-cosine", {}), Falloff::kHard);
+    const Knob& choice =
+        KnobNamed(FindTechnique("sao-supplement2012").description, "falloff", "test");
+    const std::map<std::string, Falloff> by_name{
+        {"equation_1", Falloff::kHard}, {"a", Falloff::kHard},
+        {"b", Falloff::kSao},           {"c", Falloff::kQuadratic},
+        {"d", Falloff::kHard},          {"high_quality", Falloff::kQuadratic}};
+    EXPECT_EQ(choice.choices.size(), by_name.size());
+    for (const auto& [name, expected] : by_name) {
+        EXPECT_EQ(falloff("sao-supplement2012", {{"falloff", ValueOfText(choice, name, "")}}),
+                  expected)
+            << name;
+    }
+}
+
 }  // namespace
 }  // namespace plumb

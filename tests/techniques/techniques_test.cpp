@@ -167,5 +167,41 @@ TEST(SaoTechnique, TurnsFollowTheSamples) {
     EXPECT_NE(A({{"samples", 20}}), A({{"samples", 20}, {"turns", 7}}));
 }
 
+// Law: at reach r x and no other change, a multiplier of x is a radius x times as great.
+TEST(GtaoTechnique, ReachesAsFarAsItsMultiplierSays) {
+    const Corner corner;
+    for (const char* name : {"gtao-paper", "gtao-xegtao"}) {
+        const auto A = [&](double radius_m, double multiplier) {
+            return corner
+                .Of(FindTechnique(name),
+                    {{"radius_m", radius_m}, {"radius_multiplier", multiplier}})
+                .Pixels();
+        };
+        EXPECT_EQ(A(0.15, 2), A(0.3, 1)) << name;
+        EXPECT_NE(A(0.15, 2), A(0.15, 1)) << name;
+    }
+}
+
+// Law: of four depths the nearest (max: z < 0) occludes more than the farthest (min), and the means lie
+// between.
+TEST(SaoTechnique, PyramidsOfTheNearestOccludeMore) {
+    const Corner corner;
+    const PictureTechnique& sao = FindTechnique("sao-supplement2012");
+    const Knob& filter = KnobNamed(sao.description, "pyramid_filter", "test");
+    const auto mean = [&](const char* name) {
+        const Image<float> A = corner.Of(
+            sao, {{"radius_m", 0.3}, {"pyramid_filter", ValueOfText(filter, name, "")}});
+        double sum = 0;
+        for (const float a : A.Pixels()) sum += a;
+        return sum / double(A.Pixels().size());
+    };
+    const double nearest = mean("max"), farthest = mean("min");
+    EXPECT_LT(nearest, farthest - 1e-4);
+    for (const char* name : {"mean", "harmonic_mean"}) {
+        EXPECT_LT(nearest, mean(name)) << name;
+        EXPECT_GT(farthest, mean(name)) << name;
+    }
+}
+
 }  // namespace
 }  // namespace plumb

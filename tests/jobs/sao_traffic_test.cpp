@@ -100,5 +100,33 @@ TEST(SaoTraffic, CountsEachTexelThatTapsMeetOnce) {
     EXPECT_LE(from_depth, 4 * double(met.size() + 2 * (48 + 32)));
 }
 
+// Discs of less than a pixel whose taps are held 3 px off. Expected: the texels at that distance, made
+// here.
+TEST(SaoTraffic, CountsTapsWhereTheirLeastDistancePutsThem) {
+    const GBuffer gbuffer = Drawn();
+    SaoOptions sao = SaoWith("supplement2012", {.radius_m = 0.001});
+    sao.sampling.normals = NormalSource::kShading;
+    sao.sampling.taps.min_tap_px = 3;
+    const TapOptions& taps = sao.sampling.taps;
+    const ZPyramid pyramid = BuildZPyramid(gbuffer, sao);
+    std::set<std::tuple<int, int, int>> met;
+    for (int y = 8; y < 40; ++y) {
+        for (int x = 8; x < 56; ++x) {
+            met.insert({0, x, y});
+            if (gbuffer.triangle(x, y) == GBuffer::kSky) continue;
+            for (int i = 0; i < taps.samples; ++i) {
+                const double theta = TurnedAngle(TapOf(taps, i).angle_rad,
+                                                 RotationHash(x, y, taps.hash), taps.phi);
+                const TapTexel texel =
+                    LookUpTap(taps, pyramid, x, y, 3, {std::cos(theta), std::sin(theta)});
+                met.insert({texel.level, texel.i, texel.j});
+            }
+        }
+    }
+    EXPECT_GT(met.size(), 48u * 32);  // Beyond what is computed.
+    EXPECT_EQ(Of(SaoTraffic(gbuffer, sao), "sample").read,
+              4 * double(met.size()) + 12 * 48 * 32);
+}
+
 }  // namespace
 }  // namespace plumb

@@ -96,5 +96,33 @@ TEST(DepthStudy, HasTheErrorsOfThePicturesThatItNames) {
     EXPECT_TRUE(apart);
 }
 
+// Expected: each way by itself, at each distance, in the row of its names.
+TEST(DepthStudy, HasTheErrorsOfTheWaysThatItNames) {
+    ZPrecisionSettings settings{
+        .curves = {.distances = 3, .poses = 2, .points = 4}, .width_px = 16, .height_px = 9};
+    const ResultTable errors = ZErrorTable(BoxOnPlane(), settings);
+    ASSERT_EQ(errors.rows.size(), 112u * 3);
+    std::size_t row = 0;
+    for (const ZPipeline& way : AllZPipelines()) {
+        for (const ZError& error : MeasureZError(way, settings.curves)) {
+            EXPECT_EQ(TextAt(errors, row, "host"),
+                      way.host == HostPrecision::kDouble ? "double" : "float");
+            EXPECT_EQ(TextAt(errors, row, "product"),
+                      way.concatenated ? "one" : "step by step");
+            EXPECT_EQ(TextAt(errors, row, "order"),
+                      way.order == ProductOrder::kRows ? "rows" : "columns");
+            EXPECT_EQ(TextAt(errors, row, "clip"),
+                      way.clip == ClipRange::kMinusOneToOne ? "GL" : "D3D");
+            EXPECT_EQ(TextAt(errors, row, "format"), NameOf(way.format));
+            EXPECT_EQ(TextAt(errors, row, "far"), way.far_is_infinite ? "infinite" : "finite");
+            EXPECT_DOUBLE_EQ(NumberAt(errors, row, "distance_m"), error.t_m);
+            EXPECT_DOUBLE_EQ(NumberAt(errors, row, "rms_mm"), 1e3 * error.rms_m);
+            EXPECT_DOUBLE_EQ(NumberAt(errors, row, "worst_mm"), 1e3 * error.worst_m);
+            EXPECT_DOUBLE_EQ(NumberAt(errors, row, "mean_mm"), 1e3 * error.mean_m);
+            ++row;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace plumb

@@ -18,6 +18,7 @@
 #include "jobs/screen_space/temporal_study.h"
 #include "jobs/screen_space/z_precision.h"
 #include "reports/document.h"
+#include "reports/render.h"
 #include "reports/text.h"
 
 namespace plumb {
@@ -138,33 +139,56 @@ inline ResultTable DrawnTable(const Scene& scene, const ZPrecisionSettings& sett
     std::string line;
     std::getline(csv, line);
     for (const auto& d : json["drawn"]) {
+        const auto text = [&](const char* key) { return d[key].get<std::string>(); };
+        const auto number = [&](const char* key) { return d[key].get<double>(); };
         std::string expected =
-            d["camera"].get<std::string>() + "," + d["vertices"].get<std::string>() + "," +
-            d["format"].get<std::string>() + "," + d["far"].get<std::string>();
-        std::vector<doc::Cell> row{d["camera"].get<std::string>(),
-                                   d["vertices"].get<std::string>(),
-                                   d["format"].get<std::string>(), d["far"].get<std::string>()};
+            text("camera") + "," + text("vertices") + "," + text("format") + "," + text("far");
         for (const char* key :
              {"z_rms_m", "z_worst_m", "normal_rms_deg", "normal_99_deg", "normal_999_deg",
               "normal_worst_deg", "within_paper_share", "pixels", "judged"}) {
             expected += "," + d[key].dump();
-            const bool in_mm = std::string(key).starts_with("z_");
-            row.push_back((in_mm ? 1e3 : 1) * d[key].get<double>());
         }
         std::getline(csv, line);
         EXPECT_EQ(line, expected);
-        table.Add(std::move(row));
+        table.Add({text("camera"), text("vertices"), text("format"), text("far"),
+                   1e3 * number("z_rms_m"), 1e3 * number("z_worst_m"), number("normal_rms_deg"),
+                   number("normal_99_deg"), number("normal_999_deg"),
+                   number("normal_worst_deg"), number("within_paper_share"), number("pixels"),
+                   number("judged")});
+    }
+    return table;
+}
+
+/// host, product, order, clip, format, far, distance_m, rms_mm, worst_mm, mean_mm: of the CSV.
+inline ResultTable ZErrorTable(const Scene& scene, const ZPrecisionSettings& settings) {
+    ResultTable table =
+        read_results::TableWith({"host", "product", "order", "clip", "format", "far",
+                                 "distance_m", "rms_mm", "worst_mm", "mean_mm"});
+    std::istringstream csv(CurvesCsv(StudyZPrecision(scene, settings)));
+    std::string line;
+    std::getline(csv, line);
+    EXPECT_EQ(line, "host,matrices,order,clip,format,far,distance_m,rms_m,worst_m,mean_m");
+    while (std::getline(csv, line)) {
+        std::istringstream fields(line);
+        std::vector<std::string> texts;
+        for (std::string field; std::getline(fields, field, ',');) texts.push_back(field);
+        const auto number = [&](std::size_t k) { return std::stod(texts.at(k)); };
+        table.Add({texts[0], texts[1] == "three" ? std::string("step by step") : texts[1],
+                   texts[2], texts[3], texts[4], texts[5], number(6), 1e3 * number(7),
+                   1e3 * number(8), 1e3 * number(9)});
     }
     return table;
 }
 
 /// The whole report of a scene.
 struct ReportResults {
-    ResultTable views;    ///< camera, rms_standard_error_v, rms_standard_error_near
-    ResultTable scores;   ///< technique, view ("all views"), truth, region, mse, ssim, ...
+    ResultTable views;  ///< camera, rms_standard_error_v, rms_standard_error_near
+    /// technique, view ("all views"), truth, region, ms, mse, rmse, ssim, recalibrated_rmse
+    ResultTable scores;
     ResultTable traffic;  ///< technique, size_px, pass, bytes_read, bytes_written
     ResultTable flicker;  ///< As FlickerTable.
     std::string closest, closest_recalibrated;
+    std::string page, terminal;  ///< As people read them; the page with its tags.
     std::vector<std::pair<std::string, Measured>> times;  ///< Each that is told, with its name.
 };
 
@@ -172,12 +196,18 @@ inline ReportResults ResultsOf(const SceneReport& r) {
     using read_results::TableWith;
     ReportResults results{
         TableWith({"camera", "rms_standard_error_v", "rms_standard_error_near"}),
-        TableWith({"technique", "view", "truth", "region", "mse", "ssim", "recalibrated_rmse"}),
+        TableWith({"technique", "view", "truth", "region", "ms", "mse", "rmse", "ssim",
+                   "recalibrated_rmse"}),
         TableWith({"technique", "size_px", "pass", "bytes_read", "bytes_written"}),
         TableWith({"technique", "candidate", "truth", "flicker"}),
         r.closest.name,
         r.closest_recalibrated.name,
+        ToHtml(r),
+        {},
         {}};
+    std::ostringstream terminal;
+    WriteTable(terminal, r);
+    results.terminal = terminal.str();
     const auto json = nlohmann::json::parse(ToJsonText(r));
     for (const auto& view : json["views"]) {
         results.views.Add({view["camera"].get<std::string>(),
@@ -192,8 +222,8 @@ inline ReportResults ResultsOf(const SceneReport& r) {
         for (const PassSeconds& pass : t.passes) time(t.name + " " + pass.name, pass.seconds);
         const auto add = [&](const std::string& view, const std::vector<ScoreAgainst>& scores) {
             for (const ScoreAgainst& s : scores) {
-                results.scores.Add({t.name, view, s.truth, s.region, s.error.mse, s.ssim,
-                                    s.recalibrated_rmse});
+                results.scores.Add({t.name, view, s.truth, s.region, 1e3 * t.seconds,
+                                    s.error.mse, s.error.rmse, s.ssim, s.recalibrated_rmse});
             }
         };
         add("all views", t.scores);

@@ -231,6 +231,53 @@ TEST(SceneReportFigures, OfFlickerAreWithTheRadiusAskedFor) {
     }
 }
 
+std::string With95(const Measured& m) {
+    return Digits(m.value) + " (" + Digits(m.interval.low) + " to " + Digits(m.interval.high) +
+           ")";
+}
+
+// Expected: time and error after recalibration in the line of their technique.
+TEST(SceneReportWords, OfTheTerminalStandBesideTheirTechnique) {
+    for (const std::string& name : kNames) {
+        std::istringstream lines(Report().terminal);
+        std::string line;
+        while (std::getline(lines, line) && !line.starts_with(name)) {
+        }
+        const std::size_t row = RowOf(name, "all views", kTruthNear, "whole");
+        for (const char* key : {"ms", "recalibrated_rmse", "rmse"}) {
+            EXPECT_NE(line.find(" " + Digits(NumberAt(Report().scores, row, key))),
+                      std::string::npos)
+                << key << " of " << name << " in: " << line;
+        }
+    }
+}
+
+// Expected of the findings: the winners with their own errors, of the truth's error that of V within r,
+// of the sweep its 5.0 %; of what intervals are the degrees of freedom between two views.
+TEST(SceneReportWords, OfThePageAreOfTheirFigures) {
+    const std::string& page = Report().page;
+    const std::size_t begin = page.find("id=\"findings\"");
+    const std::string findings = page.substr(begin, page.find("id=\"truth\"", begin) - begin);
+    const auto expect = [&](const std::string& text) {
+        EXPECT_NE(findings.find(text), std::string::npos) << text << "\n" << findings;
+    };
+    const auto of = [&](const std::string& name, const char* key) {
+        return With95(
+            MeasuredAt(Report().scores, RowOf(name, "all views", kTruthNear, "whole"), key));
+    };
+    expect(Report().closest);
+    expect(of(Report().closest, "rmse"));
+    expect(Report().closest_recalibrated);
+    expect(of(Report().closest_recalibrated, "recalibrated_rmse"));
+    EXPECT_NE(of(Report().closest_recalibrated, "recalibrated_rmse"),
+              of(Report().closest_recalibrated, "rmse"));
+    expect("The truth is known to " +
+           Digits(NumberAt(Report().views, 0, "rms_standard_error_near"), 2) + " a pixel");
+    expect("within 5.0 % of the least error");
+    EXPECT_NE(Report().terminal.find("within 5.0 % of the least error"), std::string::npos);
+    EXPECT_NE(page.find("t of 1 degrees of freedom"), std::string::npos);
+}
+
 class SceneReportPictures : public TempFolder {};
 
 // Expected: the picture of a technique and that of its error against V within r, written here.
@@ -238,9 +285,9 @@ TEST_F(SceneReportPictures, AreAgainstVWithinR) {
     SceneReportJob job = Job();
     job.studies = false;
     job.techniques = {"hbao"};
-    job.cameras = {"front"};
     job.pictures = Path("pictures");
-    ReportScene({TwoViews(), {}, "digest"}, job, {.version = "test", .clock = Ticking()});
+    const ReportResults report = ResultsOf(
+        ReportScene({TwoViews(), {}, "digest"}, job, {.version = "test", .clock = Ticking()}));
     const View view(0);
     const Image<float> A = view.Of(TechniqueNamed("hbao", {.radius_m = kRadiusM}));
     const Mask seen = RegionsOf(view.truth).seen;
@@ -254,6 +301,15 @@ TEST_F(SceneReportPictures, AreAgainstVWithinR) {
     same("hbao_error", SignedPicture(A, near, seen));
     same("truth_v", view.truth.V.value);
     same("truth_near", near);
+    // The pictures are of the first view, and so is what stands below them.
+    std::map<std::string, std::string> rmse;
+    for (std::size_t k = 0; k < report.scores.rows.size(); ++k) {
+        if (TextAt(report.scores, k, "truth") != kTruthNear) continue;
+        if (TextAt(report.scores, k, "region") != "whole") continue;
+        rmse[TextAt(report.scores, k, "view")] = Digits(NumberAt(report.scores, k, "rmse"));
+    }
+    EXPECT_NE(rmse.at("front"), rmse.at("side"));
+    EXPECT_NE(report.page.find("error, RMSE " + rmse.at("front")), std::string::npos);
 }
 
 class RenderedScene : public TempFolder {};

@@ -1,9 +1,9 @@
 #include "fit/baselines.h"
 
-#include "fit/cavity.h"
-#include "fit/gtao_cubic.h"
-#include "fit/mayaux_total.h"
-#include "fit/plain_visibility.h"
+#include "fit/models/gtao_cubic.h"
+#include "fit/models/mayaux_total.h"
+#include "fit/models/plain_visibility.h"
+#include "fit/models/uniform_cavity.h"
 
 namespace plumb {
 namespace {
@@ -24,7 +24,7 @@ std::vector<Formula> Baselines() {
             AsPublished<MayauxTotalModel<PoleGuard::kPortHalfAlbedo>>(),
             AsPublished<GtaoCubicModel>(),
             AsPublished<GtaoCubicFedAlphaModel>(),
-            AsPublished<CavityModel>()};
+            AsPublished<UniformCavityModel>()};
 }
 
 }  // namespace plumb

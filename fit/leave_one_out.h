@@ -1,6 +1,6 @@
 // The score of a formula on a map that it has not seen, each map in its turn.
 //
-// Every contender learns from all maps but one and is scored on that one: the error to expect
+// Every method learns from all maps but one and is scored on that one: the error to expect
 // on a surface of one's own, as far as the maps at hand stand for it.
 //
 // Beware   Maps that are variants of one surface tell of each other: leave the whole family out
@@ -13,7 +13,7 @@
 
 #include "core/bounce_histogram.h"
 #include "core/monitor.h"
-#include "fit/contender.h"
+#include "fit/fitting_method.h"
 #include "fit/scores.h"
 
 namespace plumb {
@@ -23,9 +23,9 @@ struct HeldOut {
     std::vector<Formula> formulas;  ///< Element m: learnt from all maps but m.
 };
 
-/// One row a contender, in their order. Throws Error if there are fewer than two maps.
+/// One row a method, in their order. Throws Error if there are fewer than two maps.
 std::vector<HeldOut> LeaveOneMapOut(std::span<const BounceHistogram> maps,
-                                    std::span<const Contender> contenders,
+                                    std::span<const FittingMethod> methods,
                                     Monitor& monitor = SilentMonitor());
 
 }  // namespace plumb

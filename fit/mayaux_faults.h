@@ -6,7 +6,7 @@
 //
 // Source   the formula [Mayaux18 eq. 12] with [Mayaux18 eq. 7], [Mayaux18 eq. 9] and
 //          [Mayaux18 eq. 11]; that it has such places is ours.
-// Symbols  alpha uniform visibility, rho albedo, F0, F1, tau as in fit/mayaux_total.h.
+// Symbols  alpha uniform visibility, rho albedo, F0, F1, tau as in fit/models/mayaux_total.h.
 // Beware   Roots are bracketed on a grid (1000 even steps of alpha, and 2000 steps that grow
 //          geometrically away from alpha = 1, where the published constants misbehave): two
 //          roots within one step would be missed. Bisected to the last bit of a double.
@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "core/visibility.h"
-#include "fit/mayaux_total.h"
+#include "fit/models/mayaux_total.h"
 
 namespace plumb {
 

@@ -11,7 +11,7 @@
 
 #include "core/bounce_histogram.h"
 #include "fit/least_squares.h"
-#include "fit/mayaux_total.h"
+#include "fit/models/mayaux_total.h"
 #include "fit/samples.h"
 
 namespace plumb {

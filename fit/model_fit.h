@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/bounce_histogram.h"
-#include "fit/bounce_family.h"
 #include "fit/least_squares.h"
 #include "fit/model.h"
+#include "fit/models/bounce_curve.h"
 #include "fit/samples.h"
 
 namespace plumb {

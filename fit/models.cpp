@@ -9,18 +9,18 @@
 
 #include "core/error.h"
 #include "core/names.h"
-#include "fit/bounce_family.h"
-#include "fit/cavity.h"
-#include "fit/direct_factor.h"
-#include "fit/escape_bent.h"
-#include "fit/escape_family.h"
-#include "fit/escape_forms.h"
-#include "fit/escape_of_both.h"
-#include "fit/first_bounce.h"
-#include "fit/gtao_cubic.h"
-#include "fit/mayaux_total.h"
 #include "fit/model.h"
-#include "fit/plain_visibility.h"
+#include "fit/models/bounce_curve.h"
+#include "fit/models/direct_factor.h"
+#include "fit/models/escape_alternatives.h"
+#include "fit/models/escape_bent_of_v.h"
+#include "fit/models/escape_of_alpha_and_v.h"
+#include "fit/models/escape_probability.h"
+#include "fit/models/first_bounce.h"
+#include "fit/models/gtao_cubic.h"
+#include "fit/models/mayaux_total.h"
+#include "fit/models/plain_visibility.h"
+#include "fit/models/uniform_cavity.h"
 
 namespace plumb {
 namespace {
@@ -106,7 +106,7 @@ std::span<const Model> AllModels() {
         Erased<EscapeOfAlpha>(),
         Erased<EscapeOfAlphaClamped>(),
         Erased<EscapeBentOfV>(),
-        Erased<EscapeOfBoth>(),
+        Erased<EscapeOfAlphaAndV>(),
         Erased<EscapeLinearOfV>(),
         Erased<TwoEscapesLinearOfV>(),
         Erased<EscapePowerOfAlpha>(),
@@ -118,7 +118,7 @@ std::span<const Model> AllModels() {
         Erased<PlainVModel>(),
         Erased<GtaoCubicModel>(),
         Erased<GtaoCubicFedAlphaModel>(),
-        Erased<CavityModel>(),
+        Erased<UniformCavityModel>(),
     };
     return kModels;
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fit/escape_of_both.h"
+#include "fit/models/escape_of_alpha_and_v.h"
 #include "reports/fit_report_parts.h"
 #include "reports/text.h"
 
@@ -61,7 +61,7 @@ std::vector<std::string> CaveatsOf(const FitReport& report, const FormulaRecord&
         if (!fit->converged)
             caveats.push_back("The fit did not converge: do not use its constants.");
     }
-    if (record.formula.model.name == EscapeOfBoth::kName) {
+    if (record.formula.model.name == EscapeOfAlphaAndV::kName) {
         if (record.formula.values[0] == 0)
             caveats.push_back("With b = 0 the escape probability does not read V.");
         if (record.formula.values[1] == 0)

@@ -7,8 +7,8 @@
 //
 // Source   the plots are those of [Mayaux18], with the published constants beside ours on the
 //          same data.
-// Symbols  alpha, V, E_k, E(rho) as in core/conventions.h; F0, F1 as in fit/direct_factor.h and
-//          fit/first_bounce.h.
+// Symbols  alpha, V, E_k, E(rho) as in core/conventions.h; F0, F1 as in fit/models/direct_factor.h and
+//          fit/models/first_bounce.h.
 // Beware   A figure that was not measured is NaN: null in JSON, empty in CSV, a dash elsewhere.
 #pragma once
 

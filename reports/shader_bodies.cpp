@@ -1,11 +1,11 @@
 #include "reports/shader_bodies.h"
 
-#include "fit/cavity.h"
-#include "fit/escape_bent.h"
-#include "fit/escape_family.h"
-#include "fit/escape_of_both.h"
-#include "fit/gtao_cubic.h"
-#include "fit/mayaux_total.h"
+#include "fit/models/escape_bent_of_v.h"
+#include "fit/models/escape_of_alpha_and_v.h"
+#include "fit/models/escape_probability.h"
+#include "fit/models/gtao_cubic.h"
+#include "fit/models/mayaux_total.h"
+#include "fit/models/uniform_cavity.h"
 
 namespace plumb {
 namespace {
@@ -89,9 +89,9 @@ constexpr Body kBodies[] = {
     {EscapeOfV::kName, kEscapeOfV},
     {EscapeOfAlpha::kName, kEscapeOfAlpha},
     {EscapeOfAlphaClamped::kName, kEscapeOfAlphaClamped},
-    {EscapeOfBoth::kName, kEscapeOfBoth},
+    {EscapeOfAlphaAndV::kName, kEscapeOfBoth},
     {EscapeBentOfV::kName, kEscapeBentOfV},
-    {CavityModel::kName, kCavity},
+    {UniformCavityModel::kName, kCavity},
     {GtaoCubicModel::kName, kGtaoCubic},
     {MayauxTotalModel<PoleGuard::kPort>::kName, kMayauxPort},
 };

@@ -153,7 +153,7 @@ class Walker {
         const Vec3 n = front.dot(w) <= 0 ? front : Vec3(-front);
         ray = LeaveSurface(triangle, hit.b_1, hit.b_2, n);
         walk.T_at_light = walk.T;
-        const bool goes_on = Survives(walk, k + 1);
+        const bool goes_on = PassesRoulette(walk, k + 1);
         direct_.Ask(ray, n);
         ray.direction = Direction(Basis(n), walk, kLaterDirections + std::uint32_t(k));
         if (!goes_on) walk.T = {0, 0, 0};
@@ -161,7 +161,7 @@ class Walker {
     }
 
     // Roulette at bounce k: T / q with probability q, else the walk has to end.
-    bool Survives(State& walk, int k) const {
+    bool PassesRoulette(State& walk, int k) const {
         if (k < options_.roulette_from) return true;
         const double q = std::min(1.0, *std::ranges::max_element(walk.T));
         const std::uint64_t net = nets_[std::size_t(walk.replicate)];

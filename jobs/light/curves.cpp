@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "fit/bounce_family.h"
-#include "fit/direct_factor.h"
-#include "fit/first_bounce.h"
 #include "fit/model_fit.h"
+#include "fit/models/bounce_curve.h"
+#include "fit/models/direct_factor.h"
+#include "fit/models/first_bounce.h"
 
 namespace plumb {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/error.h"
-#include "fit/escape_of_both.h"
-#include "fit/mayaux_total.h"
+#include "fit/models/escape_of_alpha_and_v.h"
+#include "fit/models/mayaux_total.h"
 #include "jobs/light/amplitude_study.h"
 #include "jobs/light/convergence_study.h"
 #include "jobs/light/fit_totals.h"
@@ -70,8 +70,8 @@ FitConstantsResult FitConstants(std::span<const Surface> surfaces, const FitSett
     FitTotals(lights, settings, report, run.monitor);
     report.timings.stages.push_back({"all maps", "fits", run.clock() - fits_begin_s});
 
-    report.recommended = std::string(EscapeOfBoth::kName) + ", refitted";
-    report.recommended_text = std::string(EscapeOfBoth::kText);
+    report.recommended = std::string(EscapeOfAlphaAndV::kName) + ", refitted";
+    report.recommended_text = std::string(EscapeOfAlphaAndV::kText);
     report.published = std::string(MayauxTotalModel<PoleGuard::kPort>::kName);
     report.printed = std::string(MayauxTotalModel<PoleGuard::kNone>::kName);
 

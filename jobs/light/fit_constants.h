@@ -25,7 +25,7 @@ struct FitSettings {
     Weighting weighting = Weighting::kPopulation;
     int starts = 8;                 ///< Of every fit to all maps. [1, ...)
     int bootstrap_replicates = 50;  ///< 0 = none; needs two maps. [0, ...)
-    bool compare_forms = false;     ///< Also fits the forms of fit/escape_forms.h.
+    bool compare_forms = false;  ///< Also fits the forms of fit/models/escape_alternatives.h.
     bool study_convergence = true;  ///< On the middle of the first map.
     bool study_amplitude = true;    ///< On the middle of the first map.
 };

@@ -7,9 +7,9 @@
 
 #include "core/conventions.h"
 #include "core/error.h"
-#include "fit/direct_factor.h"
-#include "fit/first_bounce.h"
 #include "fit/model_fit.h"
+#include "fit/models/direct_factor.h"
+#include "fit/models/first_bounce.h"
 #include "io/content_hash.h"
 #include "io/csv.h"
 #include "jobs/light/curves.h"

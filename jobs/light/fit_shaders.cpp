@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "fit/escape_bent.h"
-#include "fit/escape_family.h"
-#include "fit/gtao_cubic.h"
+#include "fit/models/escape_bent_of_v.h"
+#include "fit/models/escape_probability.h"
+#include "fit/models/gtao_cubic.h"
 #include "jobs/light/fit_constants.h"
 #include "reports/fit_caveats.h"
 

@@ -5,16 +5,16 @@
 
 #include "fit/baselines.h"
 #include "fit/bootstrap.h"
-#include "fit/contender.h"
-#include "fit/escape_bent.h"
-#include "fit/escape_family.h"
-#include "fit/escape_forms.h"
-#include "fit/escape_of_both.h"
-#include "fit/gtao_cubic.h"
+#include "fit/fitting_method.h"
 #include "fit/leave_one_out.h"
 #include "fit/mayaux_faults.h"
 #include "fit/mayaux_refit.h"
 #include "fit/model_fit.h"
+#include "fit/models/escape_alternatives.h"
+#include "fit/models/escape_bent_of_v.h"
+#include "fit/models/escape_of_alpha_and_v.h"
+#include "fit/models/escape_probability.h"
+#include "fit/models/gtao_cubic.h"
 #include "jobs/light/curves.h"
 #include "jobs/light/facet_scores.h"
 #include "jobs/light/form_choice.h"
@@ -37,7 +37,7 @@ struct AllMaps {
 // A formula on its way into the table, and how it is learnt again when a map is held out.
 struct Entry {
     FormulaRecord record;
-    Contender contender;
+    FittingMethod method;
 };
 
 class Fitter {
@@ -65,7 +65,7 @@ class Fitter {
         RefittedTotal(ModelOf<EscapeOfAlphaClamped>(), report);
         RefittedTotal(ModelOf<EscapeOfV>(), report);
         RefittedTotal(ModelOf<EscapeBentOfV>(), report);
-        RefittedTotal(ModelOf<EscapeOfBoth>(), report);
+        RefittedTotal(ModelOf<EscapeOfAlphaAndV>(), report);
         RefittedTotal(ModelOf<GtaoCubicModel>(), report);
         if (settings_.compare_forms) {
             for (const std::string_view form :
@@ -107,14 +107,14 @@ class Fitter {
     void RefittedPaper(FitReport& report) {
         const MayauxConstants<> constants =
             RefitMayaux(maps_[BinnedBy::kUniformVisibility], sampling_, options_).Constants();
-        const Contender contender =
+        const FittingMethod method =
             RefittedAsPublished(PoleGuard::kPort, sampling_, fold_options_);
         FormulaRecord record;
-        record.name = contender.name;
-        record.formula = MayauxFormula(constants, PoleGuard::kPort, contender.name);
+        record.name = method.name;
+        record.formula = MayauxFormula(constants, PoleGuard::kPort, method.name);
         record.fitted = true;
         record.in_sample = ScoreOver(record.formula, maps_[BinnedBy::kUniformVisibility]);
-        entries_.push_back({std::move(record), contender});
+        entries_.push_back({std::move(record), method});
         report.faults.push_back(FaultsOf("published", kMayaux18));
         report.faults.push_back(FaultsOf("refitted", constants));
     }
@@ -122,9 +122,9 @@ class Fitter {
     void RefittedTotal(const Model& model, FitReport& report) {
         const Maps maps = MapsFor(model);
         const std::vector<Sample> samples = TotalSamples(maps, sampling_);
-        const Contender contender = Refitted(model, sampling_, fold_options_);
+        const FittingMethod method = Refitted(model, sampling_, fold_options_);
         TotalFit total;
-        total.formula = contender.name;
+        total.formula = method.name;
         total.fit = FitModel(model, samples, options_);
         if (settings_.bootstrap_replicates > 0 && maps.size() > 1) {
             total.bootstrap = BootstrapOverMaps(model, samples,
@@ -132,29 +132,28 @@ class Fitter {
                                                 {.starts = 1}, monitor_);
         }
         FormulaRecord record;
-        record.name = contender.name;
-        record.formula = Fitted(model, total.fit, contender.name);
+        record.name = method.name;
+        record.formula = Fitted(model, total.fit, method.name);
         record.fitted = true;
         record.in_sample = ScoreOver(record.formula, maps);
         record.plotted = true;
         report.totals.push_back(std::move(total));
-        entries_.push_back({std::move(record), contender});
+        entries_.push_back({std::move(record), method});
     }
 
-    // One pass a histogram: contenders of one pass learn from the same maps.
+    // One pass a histogram: methods of one pass learn from the same maps.
     void HoldOut() {
         if (lights_.size() < 2) return;
         for (const BinnedBy by : {BinnedBy::kUniformVisibility, BinnedBy::kCosineVisibility,
                                   BinnedBy::kBothVisibilities}) {
-            std::vector<Contender> contenders;
+            std::vector<FittingMethod> methods;
             std::vector<Entry*> whose;
             for (Entry& entry : entries_) {
                 if (BinningFor(entry.record.formula.model.inputs) != by) continue;
-                contenders.push_back(entry.contender);
+                methods.push_back(entry.method);
                 whose.push_back(&entry);
             }
-            const std::vector<HeldOut> held_out =
-                LeaveOneMapOut(maps_[by], contenders, monitor_);
+            const std::vector<HeldOut> held_out = LeaveOneMapOut(maps_[by], methods, monitor_);
             for (std::size_t k = 0; k < whose.size(); ++k) {
                 whose[k]->record.held_out = held_out[k].scores;
             }

@@ -1,13 +1,13 @@
 #include "jobs/light/form_choice.h"
 
-#include "fit/cavity.h"
-#include "fit/contender.h"
-#include "fit/escape_bent.h"
-#include "fit/escape_family.h"
-#include "fit/escape_forms.h"
-#include "fit/escape_of_both.h"
-#include "fit/gtao_cubic.h"
+#include "fit/fitting_method.h"
 #include "fit/leave_one_out.h"
+#include "fit/models/escape_alternatives.h"
+#include "fit/models/escape_bent_of_v.h"
+#include "fit/models/escape_of_alpha_and_v.h"
+#include "fit/models/escape_probability.h"
+#include "fit/models/gtao_cubic.h"
+#include "fit/models/uniform_cavity.h"
 #include "fit/scores.h"
 #include "jobs/light/histograms.h"
 
@@ -27,10 +27,10 @@ std::vector<T> EverySecond(const std::vector<T>& all, std::size_t first) {
 }  // namespace
 
 std::vector<std::string_view> ComparedForms() {
-    return {CavityModel::kName,         GtaoCubicModel::kName,     EscapeOfAlphaClamped::kName,
+    return {UniformCavityModel::kName,  GtaoCubicModel::kName,     EscapeOfAlphaClamped::kName,
             EscapeOfV::kName,           EscapeBentOfV::kName,      EscapeLinearOfV::kName,
             TwoEscapesLinearOfV::kName, EscapePowerOfAlpha::kName, EscapeOfClosures::kName,
-            EscapeOfBoth::kName,        EscapeScaledOfBoth::kName, EscapeRaisedOfBoth::kName,
+            EscapeOfAlphaAndV::kName,   EscapeScaledOfBoth::kName, EscapeRaisedOfBoth::kName,
             TwoEscapesOfBoth::kName};
 }
 
@@ -49,17 +49,17 @@ std::optional<FormChoice> ChooseForm(std::span<const SurfaceLight> lights,
         const std::vector<BounceHistogram> maps =
             HistogramsBy(BinningFor(model.inputs), lights);
         const std::vector<BounceHistogram> choosing = EverySecond(maps, 0);
-        const Contender contender = model.parameters.empty()
-                                        ? Unfitted(AtInitialValues(model, std::string(form)))
-                                        : Refitted(model, sampling, options);
+        const FittingMethod method = model.parameters.empty()
+                                         ? Unfitted(AtInitialValues(model, std::string(form)))
+                                         : Refitted(model, sampling, options);
         const HeldOut held_out =
-            LeaveOneMapOut(choosing, std::span(&contender, 1), monitor).front();
+            LeaveOneMapOut(choosing, std::span(&method, 1), monitor).front();
         choice.forms.push_back(
             {.form = std::string(form),
              .constants = int(model.parameters.size()),
              .choosing_rms = held_out.scores.pooled.rms,
              .reporting_rms =
-                 ScoreOver(contender.learn(choosing), EverySecond(maps, 1)).pooled.rms});
+                 ScoreOver(method.learn(choosing), EverySecond(maps, 1)).pooled.rms});
     }
     return choice;
 }

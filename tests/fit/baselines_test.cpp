@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "fit/gtao_cubic.h"
 #include "fit/model_fit.h"
+#include "fit/models/gtao_cubic.h"
 
 namespace plumb {
 namespace {

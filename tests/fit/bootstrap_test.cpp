@@ -7,8 +7,8 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/statistics.h"
-#include "fit/escape_family.h"
 #include "fit/model_fit.h"
+#include "fit/models/escape_probability.h"
 #include "made_maps.h"
 
 namespace plumb {

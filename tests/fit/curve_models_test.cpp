@@ -4,10 +4,10 @@
 #include <numbers>
 
 #include "core/visibility.h"
-#include "fit/bounce_family.h"
-#include "fit/bounce_ratio.h"
-#include "fit/direct_factor.h"
-#include "fit/first_bounce.h"
+#include "fit/models/bounce_curve.h"
+#include "fit/models/bounce_ratio.h"
+#include "fit/models/direct_factor.h"
+#include "fit/models/first_bounce.h"
 
 namespace plumb {
 namespace {

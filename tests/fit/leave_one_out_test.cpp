@@ -16,8 +16,8 @@ namespace {
 TEST(LeaveOneMapOut, TheMapScoredIsTheOneNotSeen) {
     const MadeSurface usual, odd{.g = {.a = 0.7, .b = 0.9}};
     const std::vector maps{MakeMap("a", usual), MakeMap("b", usual), MakeMap("odd", odd)};
-    const std::vector contenders{Refitted(ModelOf<EscapeOfV>())};
-    const std::vector<HeldOut> rows = LeaveOneMapOut(maps, contenders);
+    const std::vector methods{Refitted(ModelOf<EscapeOfV>())};
+    const std::vector<HeldOut> rows = LeaveOneMapOut(maps, methods);
     ASSERT_EQ(rows.size(), 1);
     const HeldOut& row = rows[0];
     EXPECT_EQ(row.scores.formula, "escape of V, refitted");
@@ -33,10 +33,10 @@ TEST(LeaveOneMapOut, TheMapScoredIsTheOneNotSeen) {
 // Expected: a formula that learns nothing has the same score held out as not.
 TEST(LeaveOneMapOut, BaselinesNeedNoRefit) {
     const std::vector maps{MakeMap("a"), MakeMap("b", {.g = {.a = 0.7, .b = 0.9}})};
-    std::vector<Contender> contenders;
-    for (const Formula& formula : Baselines()) contenders.push_back(Unfitted(formula));
-    const std::vector<HeldOut> rows = LeaveOneMapOut(maps, contenders);
-    ASSERT_EQ(rows.size(), contenders.size());
+    std::vector<FittingMethod> methods;
+    for (const Formula& formula : Baselines()) methods.push_back(Unfitted(formula));
+    const std::vector<HeldOut> rows = LeaveOneMapOut(maps, methods);
+    ASSERT_EQ(rows.size(), methods.size());
     for (std::size_t c = 0; c < rows.size(); ++c) {
         const ScoreRow seen = ScoreOver(Baselines()[c], maps);
         EXPECT_EQ(rows[c].scores.formula, seen.formula);
@@ -46,11 +46,11 @@ TEST(LeaveOneMapOut, BaselinesNeedNoRefit) {
 
 // Expected: the paper's way learns from E_0 and E_1 of all other maps, and of these only: the
 // constants of two alike maps are found exactly, those of two different ones lie between.
-TEST(LeaveOneMapOut, ThePapersWayIsAContender) {
+TEST(LeaveOneMapOut, ThePapersWayIsAFittingMethod) {
     const std::vector maps{MakeMap("a", {.F0 = {0.45, 0.8}}), MakeMap("b", {.F0 = {0.45, 0.8}}),
                            MakeMap("c", {.F0 = {0.7, 0.8}})};
-    const std::vector contenders{RefittedAsPublished(PoleGuard::kPort)};
-    const HeldOut row = LeaveOneMapOut(maps, contenders).at(0);
+    const std::vector methods{RefittedAsPublished(PoleGuard::kPort)};
+    const HeldOut row = LeaveOneMapOut(maps, methods).at(0);
     EXPECT_NEAR(row.formulas[2].values[0], 0.45, 1e-6);
     EXPECT_GT(row.formulas[0].values[0], 0.5);
     EXPECT_LT(row.formulas[0].values[0], 0.65);
@@ -62,10 +62,10 @@ TEST(LeaveOneMapOut, ThePapersWayIsAContender) {
 TEST(LeaveOneMapOut, IsTheSameOnAnyNumberOfThreads) {
     const std::vector maps{MakeMap("a"), MakeMap("b", {.g = {.a = 0.7, .b = 0.9}}),
                            MakeMap("c", {.g = {.a = 0.8, .b = 0.3}})};
-    const std::vector contenders{Refitted(ModelOf<EscapeOfV>())};
+    const std::vector methods{Refitted(ModelOf<EscapeOfV>())};
     const auto run = [&](int threads) {
         SetThreadCount(threads);
-        const auto rows = LeaveOneMapOut(maps, contenders);
+        const auto rows = LeaveOneMapOut(maps, methods);
         SetThreadCount(0);
         return rows[0].scores.pooled.rms;
     };

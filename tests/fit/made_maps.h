@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/bounce_histogram.h"
-#include "fit/escape_family.h"
+#include "fit/models/escape_probability.h"
 
 namespace plumb {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "fit/bounce_ratio.h"
+#include "fit/models/bounce_ratio.h"
 
 namespace plumb {
 namespace {

@@ -1,4 +1,4 @@
-#include "fit/mayaux_total.h"
+#include "fit/models/mayaux_total.h"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,9 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "fit/escape_family.h"
 #include "fit/mayaux_refit.h"
-#include "fit/plain_visibility.h"
+#include "fit/models/escape_probability.h"
+#include "fit/models/plain_visibility.h"
 #include "made_maps.h"
 
 namespace plumb {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "core/error.h"
-#include "fit/direct_factor.h"
-#include "fit/escape_family.h"
 #include "fit/model.h"
+#include "fit/models/direct_factor.h"
+#include "fit/models/escape_probability.h"
 
 namespace plumb {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "fit/mayaux_faults.h"
 #include "fit/mayaux_refit.h"
-#include "fit/plain_visibility.h"
+#include "fit/models/plain_visibility.h"
 #include "fit/residuals.h"
 #include "made_maps.h"
 

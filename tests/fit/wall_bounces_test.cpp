@@ -15,9 +15,9 @@
 
 #include "core/conventions.h"
 #include "fit/baselines.h"
-#include "fit/escape_family.h"
-#include "fit/first_bounce.h"
 #include "fit/model_fit.h"
+#include "fit/models/escape_probability.h"
+#include "fit/models/first_bounce.h"
 #include "fit/scores.h"
 
 namespace plumb {

@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "fit/direct_factor.h"
-#include "fit/first_bounce.h"
+#include "fit/models/direct_factor.h"
+#include "fit/models/first_bounce.h"
 
 namespace plumb {
 namespace {

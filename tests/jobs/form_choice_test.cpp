@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "fit/cavity.h"
-#include "fit/escape_forms.h"
-#include "fit/escape_of_both.h"
+#include "fit/models/escape_alternatives.h"
+#include "fit/models/escape_of_alpha_and_v.h"
+#include "fit/models/uniform_cavity.h"
 
 namespace plumb {
 namespace {
@@ -76,8 +76,8 @@ TEST(ChooseForm, ChoosesOnOneHalfAndReportsOnTheOther) {
     const std::vector<SurfaceLight> lights{MadeLight("a", 0.3, 0.6), MadeLight("b", 0.9, 0.2),
                                            MadeLight("c", 0.3, 0.6), MadeLight("d", 0.5, 1.1),
                                            MadeLight("e", 0.3, 0.6)};
-    const std::vector<std::string_view> forms{CavityModel::kName, EscapePowerOfAlpha::kName,
-                                              EscapeOfBoth::kName};
+    const std::vector<std::string_view> forms{
+        UniformCavityModel::kName, EscapePowerOfAlpha::kName, EscapeOfAlphaAndV::kName};
     const auto choice = ChooseForm(lights, forms, {}, {.starts = 2});
     ASSERT_TRUE(choice);
     EXPECT_THAT(choice->choosing, testing::ElementsAre("a", "c", "e"));
@@ -86,7 +86,7 @@ TEST(ChooseForm, ChoosesOnOneHalfAndReportsOnTheOther) {
     EXPECT_EQ(choice->forms[0].constants, 0);
     EXPECT_EQ(choice->forms[1].constants, 1);
     EXPECT_EQ(choice->forms[2].constants, 2);
-    EXPECT_EQ(choice->Winner().form, EscapeOfBoth::kName);
+    EXPECT_EQ(choice->Winner().form, EscapeOfAlphaAndV::kName);
 
     const auto pooled = [](double one, double two) {
         return std::sqrt((one * one + two * two) / 2);

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "fit/escape_of_both.h"
-#include "fit/mayaux_total.h"
+#include "fit/models/escape_of_alpha_and_v.h"
+#include "fit/models/mayaux_total.h"
 #include "made_report.h"
 #include "reports/fit_caveats.h"
 #include "reports/fit_report.h"
@@ -80,7 +80,7 @@ TEST(Caveats, TellOfBoundsAndOfFitsThatDidNotConverge) {
 TEST(Caveats, TellWhichInputIsNotRead) {
     FitReport report = MakeFitReport();
     FormulaRecord& record = report.formulas[0];
-    record.formula = {"both", ModelOf<EscapeOfBoth>(), {0, 0.7}};
+    record.formula = {"both", ModelOf<EscapeOfAlphaAndV>(), {0, 0.7}};
     EXPECT_THAT(CaveatsOf(report, record),
                 ElementsAre("With b = 0 the escape probability does not read V."));
     record.formula.values = {0.4, 0};

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "fit/cavity.h"
-#include "fit/direct_factor.h"
-#include "fit/escape_family.h"
-#include "fit/first_bounce.h"
-#include "fit/mayaux_total.h"
+#include "fit/models/direct_factor.h"
+#include "fit/models/escape_probability.h"
+#include "fit/models/first_bounce.h"
+#include "fit/models/mayaux_total.h"
+#include "fit/models/uniform_cavity.h"
 
 namespace plumb::made {
 namespace {
@@ -168,7 +168,7 @@ FitReport MakeFitReport() {
         MakeRecord(AtInitialValues(escape, "escape of V"), true, 0.008),
         MakeRecord(AtInitialValues(ModelOf<MayauxTotalModel<PoleGuard::kNone>>(), "Mayaux18"),
                    false, 0.04),
-        MakeRecord(AtInitialValues(ModelOf<CavityModel>(), "cavity"), false, 0.016)};
+        MakeRecord(AtInitialValues(ModelOf<UniformCavityModel>(), "cavity"), false, 0.016)};
     report.floors = {{0.03, 0.006, 0.005}, {0.031, 0.0062, 0.0051}};
     report.faults = {
         {.name = "published",

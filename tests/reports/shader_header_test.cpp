@@ -12,13 +12,13 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "fit/cavity.h"
-#include "fit/escape_bent.h"
-#include "fit/escape_family.h"
-#include "fit/escape_forms.h"
-#include "fit/escape_of_both.h"
-#include "fit/gtao_cubic.h"
-#include "fit/mayaux_total.h"
+#include "fit/models/escape_alternatives.h"
+#include "fit/models/escape_bent_of_v.h"
+#include "fit/models/escape_of_alpha_and_v.h"
+#include "fit/models/escape_probability.h"
+#include "fit/models/gtao_cubic.h"
+#include "fit/models/mayaux_total.h"
+#include "fit/models/uniform_cavity.h"
 
 namespace plumb {
 namespace {
@@ -40,9 +40,9 @@ std::vector<ShaderFormula> AllFormulas() {
             at(ModelOf<EscapeOfAlpha>(), {0.3911, 1.25, 0.832, 1.04}, "PlumbEscapeOfAlpha"),
             at(ModelOf<EscapeOfAlphaClamped>(), {0.62, 0.71, 0.91, 0.52},
                "PlumbEscapeOfAlphaClamped"),
-            at(ModelOf<EscapeOfBoth>(), {0.31, 0.44}, "PlumbEscapeOfBoth"),
+            at(ModelOf<EscapeOfAlphaAndV>(), {0.31, 0.44}, "PlumbEscapeOfBoth"),
             at(ModelOf<EscapeBentOfV>(), {0.42, 0.27}, "PlumbEscapeBentOfV"),
-            at(ModelOf<CavityModel>(), {}, "PlumbCavity"),
+            at(ModelOf<UniformCavityModel>(), {}, "PlumbCavity"),
             at(ModelOf<GtaoCubicModel>(), {2.0404, -0.3324, -4.7951, 0.6417, 2.7552, 0.6903},
                "PlumbGtaoCubic"),
             at(ModelOf<MayauxTotalModel<PoleGuard::kPort>>(),

@@ -1,4 +1,4 @@
-#include "fit/escape_forms.h"
+#include "fit/models/escape_alternatives.h"
 
 #include <gtest/gtest.h>
 

@@ -18,10 +18,10 @@
 #include <string_view>
 
 #include "core/visibility.h"
-#include "fit/bounce_ratio.h"
-#include "fit/direct_factor.h"
-#include "fit/first_bounce.h"
 #include "fit/model.h"
+#include "fit/models/bounce_ratio.h"
+#include "fit/models/direct_factor.h"
+#include "fit/models/first_bounce.h"
 
 namespace plumb {
 

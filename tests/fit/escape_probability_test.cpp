@@ -1,4 +1,4 @@
-#include "fit/escape_family.h"
+#include "fit/models/escape_probability.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "fit/cavity.h"
-#include "fit/escape_bent.h"
-#include "fit/escape_of_both.h"
-#include "fit/mayaux_total.h"
+#include "fit/models/escape_bent_of_v.h"
+#include "fit/models/escape_of_alpha_and_v.h"
+#include "fit/models/mayaux_total.h"
+#include "fit/models/uniform_cavity.h"
 #include "tests/fit/light_laws.h"
 
 namespace plumb {
@@ -115,7 +115,7 @@ TEST(EscapeBentOfV, KeepsItsLawsWithinItsDomain) {
 }
 
 // V runs over all that an alpha allows: the least, the greatest, and their middle.
-TEST(EscapeOfBoth, KeepsItsLawsWithinItsDomain) {
+TEST(EscapeOfAlphaAndV, KeepsItsLawsWithinItsDomain) {
     for (double b : kAnyExponent)
         for (double c : kAnyExponent)
             for (double alpha : Shares())
@@ -126,8 +126,8 @@ TEST(EscapeOfBoth, KeepsItsLawsWithinItsDomain) {
                                                GreatestCosineVisibility(at), share);
                     ExpectLaws(
                         [&](double rho) {
-                            return EscapeOfBoth::Evaluate(p.data(), at, CosineVisibility(V),
-                                                          Albedo(rho));
+                            return EscapeOfAlphaAndV::Evaluate(
+                                p.data(), at, CosineVisibility(V), Albedo(rho));
                         },
                         V,
                         testing::PrintToString(p) + " alpha " + testing::PrintToString(alpha));
@@ -136,13 +136,13 @@ TEST(EscapeOfBoth, KeepsItsLawsWithinItsDomain) {
 
 // Expected: b = 1, c = 0 makes g = V, the cavity; b = 0, c = 1 makes g = alpha, which shows
 // that the second input is read.
-TEST(EscapeOfBoth, CornersByHand) {
+TEST(EscapeOfAlphaAndV, CornersByHand) {
     const UniformVisibility alpha(0.5);
     const CosineVisibility V(0.7);
     const Albedo rho(0.8);
-    EXPECT_NEAR(EscapeOfBoth::Evaluate(std::array{1.0, 0.0}.data(), alpha, V, rho),
+    EXPECT_NEAR(EscapeOfAlphaAndV::Evaluate(std::array{1.0, 0.0}.data(), alpha, V, rho),
                 CavityTotal(V, rho), kRounding);
-    EXPECT_NEAR(EscapeOfBoth::Evaluate(std::array{0.0, 1.0}.data(), alpha, V, rho),
+    EXPECT_NEAR(EscapeOfAlphaAndV::Evaluate(std::array{0.0, 1.0}.data(), alpha, V, rho),
                 EscapeTotal(0.7, 0.5, rho), kRounding);
 }
 

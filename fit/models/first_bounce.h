@@ -15,8 +15,8 @@
 #include <string_view>
 
 #include "core/visibility.h"
-#include "fit/bounce_family.h"
 #include "fit/model.h"
+#include "fit/models/bounce_curve.h"
 
 namespace plumb {
 

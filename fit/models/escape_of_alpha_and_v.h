@@ -6,13 +6,13 @@
 //
 // The probability g that light leads on to the sky is a product of powers of the two
 // visibilities. With b, c >= 0 it lies in [0, 1] without a clamp, so every law of
-// fit/escape_family.h holds: no pole; V <= E <= 1; E(0) = V; E(1) = 1; E rises with rho. V
+// fit/models/escape_probability.h holds: no pole; V <= E <= 1; E(0) = V; E(1) = 1; E rises with rho. V
 // alone cannot tell the floor of a narrow pit, whose sky stands about the normal, from the side
 // of a crest, whose sky lies along the horizon; the pair can, and the surfaces that surround
 // the two have different escapes.
 //
 // Source   ours; found by comparing some thirty forms of none to four constants, each map held
-//          out in turn (docs/models.md). The cavity (fit/cavity.h) is b = 1, c = 0.
+//          out in turn (docs/models.md). The cavity (fit/models/uniform_cavity.h) is b = 1, c = 0.
 // Symbols  V cosine visibility, alpha uniform visibility, rho albedo, g escape probability.
 // Domain   0 <= V <= 1, 0 <= alpha <= 1, 0 <= rho <= 1, b >= 0, c >= 0.
 #pragma once
@@ -22,12 +22,12 @@
 #include <string_view>
 
 #include "core/visibility.h"
-#include "fit/escape_family.h"
 #include "fit/model.h"
+#include "fit/models/escape_probability.h"
 
 namespace plumb {
 
-struct EscapeOfBoth {
+struct EscapeOfAlphaAndV {
     static constexpr std::string_view kName = "escape of alpha and V";
     static constexpr std::string_view kText =
         "g = V^b alpha^c;  E(rho) = V + (1 - V) rho g / (1 - rho (1 - g))";

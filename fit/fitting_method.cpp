@@ -1,4 +1,4 @@
-#include "fit/contender.h"
+#include "fit/fitting_method.h"
 
 #include <utility>
 
@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-Contender Unfitted(Formula formula) {
+FittingMethod Unfitted(Formula formula) {
     std::string name = formula.name;
     return {.name = std::move(name),
             .learn = [formula = std::move(formula)](std::span<const BounceHistogram>) {
@@ -15,8 +15,8 @@ Contender Unfitted(Formula formula) {
             }};
 }
 
-Contender Refitted(const Model& model, const SampleOptions& sampling,
-                   const LeastSquaresOptions& options) {
+FittingMethod Refitted(const Model& model, const SampleOptions& sampling,
+                       const LeastSquaresOptions& options) {
     const std::string name = std::string(model.name) + ", refitted";
     return {.name = name, .learn = [=](std::span<const BounceHistogram> maps) {
                 return Fitted(model, FitModel(model, TotalSamples(maps, sampling), options),
@@ -24,8 +24,8 @@ Contender Refitted(const Model& model, const SampleOptions& sampling,
             }};
 }
 
-Contender RefittedAsPublished(PoleGuard guard, const SampleOptions& sampling,
-                              const LeastSquaresOptions& options) {
+FittingMethod RefittedAsPublished(PoleGuard guard, const SampleOptions& sampling,
+                                  const LeastSquaresOptions& options) {
     const Formula published = MayauxFormula(kMayaux18, guard, "");
     const std::string name = std::string(published.model.name) + ", curves refitted";
     return {.name = name, .learn = [=](std::span<const BounceHistogram> maps) {

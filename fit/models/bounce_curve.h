@@ -3,7 +3,7 @@
 //       E_k(alpha) = A alpha (1 - alpha)^(3/2) exp(-B alpha^C)         A, B, C free for each k
 //
 // Source   [Mayaux18], "Summing the Curves", the unnumbered log-normal form; for k = 1 and
-//          C = 1/4 it is [Mayaux18 eq. 11] (fit/first_bounce.h).
+//          C = 1/4 it is [Mayaux18 eq. 11] (fit/models/first_bounce.h).
 // Symbols  alpha uniform visibility; E_k irradiance of bounce k at albedo 1, over pi.
 // Domain   0 <= alpha <= 1, C > 0.
 // Beware   As C falls, A and B grow and compensate each other: read their correlation and the

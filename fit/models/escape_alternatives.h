@@ -1,6 +1,6 @@
 // The forms of the escape probability that the recommended one was chosen from.
 //
-//       E as in fit/escape_family.h, with
+//       E as in fit/models/escape_probability.h, with
 //
 //       linear of V      g = a + b V
 //       of alpha         g = alpha^c
@@ -27,8 +27,8 @@
 #include <string_view>
 
 #include "core/visibility.h"
-#include "fit/escape_family.h"
 #include "fit/model.h"
+#include "fit/models/escape_probability.h"
 
 namespace plumb {
 

@@ -13,14 +13,14 @@
 //
 //       no pole;  0 <= V <= E <= 1;  E(0) = V;  E(1) = 1;  E rises with rho.
 //
-// The cavity (fit/cavity.h) is the member a = b = 1.
+// The cavity (fit/models/uniform_cavity.h) is the member a = b = 1.
 //
 // Source   ours, from [Mayaux18 eq. 9] and [Mayaux18 eq. 10]. Initial values: a fit to the
 //          author's own curves.
 // Symbols  V cosine visibility, alpha uniform visibility, rho albedo, g escape probability.
 // Domain   0 <= V <= 1, 0 <= alpha <= 1, 0 <= rho <= 1, any a, b.
 // Beware   Without V the family guesses it by F0(alpha). What keeps it within alpha^2 and
-//          alpha (2 - alpha) (fit/direct_factor.h) is either -1 <= a0 <= 1 and p0 >= 1, or,
+//          alpha (2 - alpha) (fit/models/direct_factor.h) is either -1 <= a0 <= 1 and p0 >= 1, or,
 //          with a0 >= 0 and any p0, min(F0, alpha (2 - alpha)). The first is smooth; the second
 //          has a kink near alpha = 1 and reaches surfaces whose V rises faster than the first
 //          can.
@@ -32,8 +32,8 @@
 #include <string_view>
 
 #include "core/visibility.h"
-#include "fit/direct_factor.h"
 #include "fit/model.h"
+#include "fit/models/direct_factor.h"
 
 namespace plumb {
 

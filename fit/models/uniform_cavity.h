@@ -25,7 +25,7 @@ constexpr double CavityTotal(CosineVisibility V, Albedo rho) {
     return V.value / ((1 - rho.value) + rho.value * V.value);
 }
 
-struct CavityModel {
+struct UniformCavityModel {
     static constexpr std::string_view kName = "cavity";
     static constexpr std::array<Parameter, 0> kParameters{};
 

@@ -1,6 +1,6 @@
 // A way from measured maps to a formula: a fit, or, for a baseline, no way at all.
 //
-// Whoever compares formulas fairly (fit/leave_one_out.h) hands every contender the same maps
+// Whoever compares formulas fairly (fit/leave_one_out.h) hands every method the same maps
 // and lets it make of them what it can.
 #pragma once
 
@@ -10,26 +10,26 @@
 
 #include "core/bounce_histogram.h"
 #include "fit/least_squares.h"
-#include "fit/mayaux_total.h"
 #include "fit/model.h"
+#include "fit/models/mayaux_total.h"
 #include "fit/samples.h"
 
 namespace plumb {
 
-struct Contender {
+struct FittingMethod {
     std::string name;
     std::function<Formula(std::span<const BounceHistogram> maps)> learn;
 };
 
 /// Always the same formula, whatever the maps.
-Contender Unfitted(Formula formula);
+FittingMethod Unfitted(Formula formula);
 
 /// The model of E(rho), its constants fitted to the maps' totals.
-Contender Refitted(const Model& model, const SampleOptions& sampling = {},
-                   const LeastSquaresOptions& options = {});
+FittingMethod Refitted(const Model& model, const SampleOptions& sampling = {},
+                       const LeastSquaresOptions& options = {});
 
 /// The paper's way (fit/mayaux_refit.h).
-Contender RefittedAsPublished(PoleGuard guard, const SampleOptions& sampling = {},
-                              const LeastSquaresOptions& options = {});
+FittingMethod RefittedAsPublished(PoleGuard guard, const SampleOptions& sampling = {},
+                                  const LeastSquaresOptions& options = {});
 
 }  // namespace plumb

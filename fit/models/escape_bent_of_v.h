@@ -1,12 +1,12 @@
 // The escape family from cosine visibility with a bend: for renderers that have no alpha.
 //
-//       g = V^b (1 - c (1 - V)),        E as in fit/escape_family.h
+//       g = V^b (1 - c (1 - V)),        E as in fit/models/escape_probability.h
 //
 // Near V = 1 every surface is open and g -> 1, whatever the constants: the power law a V^b of
 // EscapeOfV cannot do that unless a = 1. With b >= 0 and 0 <= c <= 1, g lies in [0, 1] without
-// a clamp, and every law of fit/escape_family.h holds.
+// a clamp, and every law of fit/models/escape_probability.h holds.
 //
-// Source   ours; see fit/escape_of_both.h.
+// Source   ours; see fit/models/escape_of_alpha_and_v.h.
 // Symbols  V cosine visibility, rho albedo, g escape probability.
 // Domain   0 <= V <= 1, 0 <= rho <= 1, b >= 0, 0 <= c <= 1.
 #pragma once
@@ -16,8 +16,8 @@
 #include <string_view>
 
 #include "core/visibility.h"
-#include "fit/escape_family.h"
 #include "fit/model.h"
+#include "fit/models/escape_probability.h"
 
 namespace plumb {
 

@@ -11,13 +11,23 @@
 //           static T Evaluate(const T* p, CosineVisibility V, Albedo rho);
 //       };
 //
-// and named once more in models.cpp. The signature of Evaluate is the declaration of what the
+// and listed once more in fit/CMakeLists.txt. The signature of Evaluate is the declaration of what the
 // model reads: any of UniformVisibility, CosineVisibility, Albedo, in this order. A model that
 // reads the albedo predicts the total E(rho), one that does not predicts a curve such as E_1.
-// T is double, or the dual numbers that give a fit its exact derivatives.
+// T is double, or the dual numbers that give a fit its exact derivatives. Two more members may be
+// there: kUse, what `plumb fit` does with the model, and kShader, its code for shaders, once for
+// all languages: the body of a function in the common part of GLSL, HLSL and C++. In it
+//
+//       {name}     stands for the fitted constant of that name, as a float literal
+//       {T}        for the type of the albedo and of the result: float, or three floats
+//
+// and these are at hand: the arguments that the model reads (uniform_visibility,
+// cosine_visibility, albedo), PlumbUnit(x), which clamps to [0, 1] and makes NaN 0, and max,
+// min, pow, exp, sqrt. Operators work between floats and {T}.
 //
 // Symbols  p parameters; alpha, V, rho, E as in core/conventions.h. All unitless.
 // Beware   A model holds pointers to static data only: it is cheap to copy and never dangles.
+//          In a shader pow(0, y) is defined for y > 0 only, x / 0 never: guard.
 #pragma once
 
 #include <limits>
@@ -51,6 +61,13 @@ struct ModelInputs {
     friend bool operator==(const ModelInputs&, const ModelInputs&) = default;
 };
 
+/// What `plumb fit` does with a model besides knowing it by name.
+enum class ModelUse {
+    kNone,      ///< Nothing: it is a baseline, or a part of another.
+    kRefitted,  ///< Its constants are fitted, held out, and compared with the others' forms.
+    kForm,      ///< The same, but reported only where all forms are asked for.
+};
+
 struct Model {
     std::string_view name;
     ModelInputs inputs;
@@ -61,9 +78,12 @@ struct Model {
 
     /// f(p; at), with df/dp_j written to gradient[j].
     double (*differentiate)(const double* p, const LightPoint& at, double* gradient) = nullptr;
+
+    ModelUse use = ModelUse::kNone;
+    std::string_view shader = {};  ///< Empty: there is no code for it.
 };
 
-/// Every model there is, in the order of models.cpp.
+/// Every model there is, in the order of fit/CMakeLists.txt.
 std::span<const Model> AllModels();
 
 /// The model of that name. Throws Error, listing the names there are, if there is none.

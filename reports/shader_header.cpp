@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "reports/shader_bodies.h"
 #include "reports/text.h"
 
 namespace plumb {
@@ -125,9 +124,9 @@ std::string Described(const ShaderFormula& one) {
 
 std::string Definition(const ShaderFormula& one, const std::string& name) {
     const Model& model = one.formula.model;
-    if (!HasShaderCode(model))
+    if (model.shader.empty())
         throw Error("model = " + std::string(model.name) + ", must be one with shader code");
-    std::string body(ShaderBody(model.name));
+    std::string body(model.shader);
     for (std::size_t j = 0; j < one.formula.values.size(); ++j) {
         const std::string parameter(model.parameters[j].name);
         ReplaceAll(body, "{" + parameter + "}",
@@ -168,10 +167,6 @@ std::string Origin(const ShaderHeader& header) {
 }
 
 }  // namespace
-
-bool HasShaderCode(const Model& model) {
-    return !ShaderBody(model.name).empty();
-}
 
 std::string WriteShaderHeader(const ShaderHeader& header, ShaderLanguage language) {
     std::string text = Origin(header);

@@ -9,7 +9,7 @@
 // NaN or light from nowhere.
 //
 // The three languages share one text; only a prologue of a few lines differs. A model's code is
-// written once, in reports/shader_bodies.cpp.
+// written once, beside its formula (fit/model.h).
 //
 // Beware   The code computes in float32. Against the library's double it is off by a few
 //          float epsilons (tests/reports/shader_header_test.cpp says how many). GLSL 1.30 or
@@ -31,7 +31,7 @@ enum class ShaderLanguage { kGlsl, kHlsl, kCpp };
 struct ShaderFormula {
     static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-    Formula formula;       ///< Its model must have shader code: HasShaderCode.
+    Formula formula;       ///< Its model must have shader code.
     std::string function;  ///< "PlumbEscapeOfV": an identifier in all three languages.
     std::string comment;   ///< What it is, in one line. May be empty.
     double rms = kUnknown, held_out_rms = kUnknown;  ///< Of E(rho), over the maps.
@@ -44,9 +44,6 @@ struct ShaderHeader {
     std::vector<ShaderFormula> alternatives;
     double published_rms = ShaderFormula::kUnknown;  ///< [Mayaux18 eq. 12] on the same data.
 };
-
-/// Whether shader code is known for a model.
-bool HasShaderCode(const Model& model);
 
 /// The header. Throws Error if a model has no shader code, or a constant is not finite.
 std::string WriteShaderHeader(const ShaderHeader& header, ShaderLanguage language);

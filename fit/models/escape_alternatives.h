@@ -59,6 +59,7 @@ struct EscapeLinearOfV {
     static constexpr std::string_view kName = "escape a + b V";
     static constexpr std::array<Parameter, 2> kParameters{
         {{"a", 0.3, -1, 2}, {"b", 0.7, -2, 3}}};
+    static constexpr ModelUse kUse = ModelUse::kForm;
 
     template <class T>
     static T Evaluate(const T* p, CosineVisibility V, Albedo rho) {
@@ -70,6 +71,7 @@ struct TwoEscapesLinearOfV {
     static constexpr std::string_view kName = "two escapes, linear";
     static constexpr std::array<Parameter, 4> kParameters{
         {{"a", 0.3, -1, 2}, {"b", 0.7, -2, 3}, {"c", 0.3, -1, 2}, {"d", 0.7, -2, 3}}};
+    static constexpr ModelUse kUse = ModelUse::kForm;
 
     template <class T>
     static T Evaluate(const T* p, CosineVisibility V, Albedo rho) {
@@ -81,6 +83,7 @@ struct TwoEscapesLinearOfV {
 struct EscapePowerOfAlpha {
     static constexpr std::string_view kName = "escape alpha^c";
     static constexpr std::array<Parameter, 1> kParameters{{{"c", 0.5, 0, 6}}};
+    static constexpr ModelUse kUse = ModelUse::kForm;
 
     template <class T>
     static T Evaluate(const T* p, UniformVisibility alpha, CosineVisibility V, Albedo rho) {
@@ -91,6 +94,7 @@ struct EscapePowerOfAlpha {
 struct EscapeOfClosures {
     static constexpr std::string_view kName = "escape 1 - (1 - V)^b (1 - alpha)^c";
     static constexpr std::array<Parameter, 2> kParameters{{{"b", 0.5, 0, 6}, {"c", 0.5, 0, 6}}};
+    static constexpr ModelUse kUse = ModelUse::kForm;
 
     template <class T>
     static T Evaluate(const T* p, UniformVisibility alpha, CosineVisibility V, Albedo rho) {
@@ -103,6 +107,7 @@ struct EscapeScaledOfBoth {
     static constexpr std::string_view kName = "escape a V^b alpha^c";
     static constexpr std::array<Parameter, 3> kParameters{
         {{"a", 1, 0.05, 4}, {"b", 0.5, 0, 6}, {"c", 0.5, 0, 6}}};
+    static constexpr ModelUse kUse = ModelUse::kForm;
 
     template <class T>
     static T Evaluate(const T* p, UniformVisibility alpha, CosineVisibility V, Albedo rho) {
@@ -115,6 +120,7 @@ struct EscapeRaisedOfBoth {
     static constexpr std::string_view kName = "escape a + (1 - a) V^b alpha^c";
     static constexpr std::array<Parameter, 3> kParameters{
         {{"a", 0.05, -1, 1}, {"b", 0.5, 0, 6}, {"c", 0.5, 0, 6}}};
+    static constexpr ModelUse kUse = ModelUse::kForm;
 
     template <class T>
     static T Evaluate(const T* p, UniformVisibility alpha, CosineVisibility V, Albedo rho) {
@@ -127,6 +133,7 @@ struct TwoEscapesOfBoth {
     static constexpr std::string_view kName = "two escapes, powers";
     static constexpr std::array<Parameter, 4> kParameters{
         {{"b", 0.5, 0, 6}, {"c", 0.5, 0, 6}, {"d", 0.5, 0, 6}, {"e", 0.5, 0, 6}}};
+    static constexpr ModelUse kUse = ModelUse::kForm;
 
     template <class T>
     static T Evaluate(const T* p, UniformVisibility alpha, CosineVisibility V, Albedo rho) {

@@ -27,6 +27,13 @@ struct EscapeBentOfV {
         {"b", 0.5, 0, 6},
         {"c", 0.5, 0, 1},
     }};
+    static constexpr ModelUse kUse = ModelUse::kRefitted;
+    static constexpr std::string_view kShader = R"(
+    float V = PlumbUnit(cosine_visibility);
+    {T} rho = PlumbUnit(albedo);
+    float g = V > 0.0f ? PlumbUnit(pow(V, {b}) * (1.0f - {c} * (1.0f - V))) : 0.0f;
+    return PlumbUnit(1.0f - (1.0f - V) * ((1.0f - rho) / max((1.0f - rho) + rho * g, 1e-20f)));
+)";
 
     template <class T>
     static T Evaluate(const T* p, CosineVisibility V, Albedo rho) {

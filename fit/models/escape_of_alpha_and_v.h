@@ -35,6 +35,15 @@ struct EscapeOfAlphaAndV {
         {"b", 0.5, 0, 6},
         {"c", 0.5, 0, 6},
     }};
+    static constexpr ModelUse kUse = ModelUse::kRefitted;
+    // pow(0, 0) is undefined in GLSL and HLSL: b and c may be 0 where no sky is left.
+    static constexpr std::string_view kShader = R"(
+    float alpha = PlumbUnit(uniform_visibility);
+    float V = PlumbUnit(cosine_visibility);
+    {T} rho = PlumbUnit(albedo);
+    float g = min(alpha, V) > 0.0f ? PlumbUnit(pow(V, {b}) * pow(alpha, {c})) : 0.0f;
+    return PlumbUnit(1.0f - (1.0f - V) * ((1.0f - rho) / max((1.0f - rho) + rho * g, 1e-20f)));
+)";
 
     template <class T>
     static T Evaluate(const T* p, UniformVisibility alpha, CosineVisibility V, Albedo rho) {

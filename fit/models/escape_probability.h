@@ -67,6 +67,15 @@ struct EscapeOfV {
         {"a", 1.027, 0.05, 4},
         {"b", 0.441, 0.01, 6},
     }};
+    static constexpr ModelUse kUse = ModelUse::kRefitted;
+    // 1e-20 keeps 0 / 0 away at rho = 1 and g = 0, where the numerator is 0, and is far below
+    // anything that a float 1 - rho can be.
+    static constexpr std::string_view kShader = R"(
+    float V = PlumbUnit(cosine_visibility);
+    {T} rho = PlumbUnit(albedo);
+    float g = PlumbUnit({a} * pow(V, {b}));
+    return PlumbUnit(1.0f - (1.0f - V) * ((1.0f - rho) / max((1.0f - rho) + rho * g, 1e-20f)));
+)";
 
     template <class T>
     static T Evaluate(const T* p, CosineVisibility V, Albedo rho) {
@@ -85,6 +94,13 @@ struct EscapeOfAlpha {
         {"a", 1.022, 0.05, 4},
         {"b", 0.397, 0.01, 6},
     }};
+    static constexpr std::string_view kShader = R"(
+    float alpha = PlumbUnit(uniform_visibility);
+    {T} rho = PlumbUnit(albedo);
+    float V = PlumbUnit(alpha * (1.0f + {a0} * pow(1.0f - alpha, {p0})));
+    float g = PlumbUnit({a} * pow(V, {b}));
+    return PlumbUnit(1.0f - (1.0f - V) * ((1.0f - rho) / max((1.0f - rho) + rho * g, 1e-20f)));
+)";
 
     template <class T>
     static T Evaluate(const T* p, UniformVisibility alpha, Albedo rho) {
@@ -102,6 +118,16 @@ struct EscapeOfAlphaClamped {
         {"a", 1.022, 0.05, 4},
         {"b", 0.397, 0.01, 6},
     }};
+    static constexpr ModelUse kUse = ModelUse::kRefitted;
+    // F0 is kept under alpha (2 - alpha), which no V exceeds.
+    static constexpr std::string_view kShader = R"(
+    float alpha = PlumbUnit(uniform_visibility);
+    {T} rho = PlumbUnit(albedo);
+    float F0 = alpha * (1.0f + {a0} * pow(1.0f - alpha, {p0}));
+    float V = PlumbUnit(min(F0, alpha * (2.0f - alpha)));
+    float g = PlumbUnit({a} * pow(V, {b}));
+    return PlumbUnit(1.0f - (1.0f - V) * ((1.0f - rho) / max((1.0f - rho) + rho * g, 1e-20f)));
+)";
 
     template <class T>
     static T Evaluate(const T* p, UniformVisibility alpha, Albedo rho) {

@@ -54,6 +54,15 @@ struct GtaoCubicModel {
         {"c1", kJimenez16.c1, -20, 20},
         {"c0", kJimenez16.c0, -20, 20},
     }};
+    static constexpr ModelUse kUse = ModelUse::kRefitted;
+    static constexpr std::string_view kShader = R"(
+    float V = PlumbUnit(cosine_visibility);
+    {T} rho = PlumbUnit(albedo);
+    {T} a = {a1} * rho + {a0};
+    {T} b = {b1} * rho + {b0};
+    {T} c = {c1} * rho + {c0};
+    return PlumbUnit(max(((a * V + b) * V + c) * V, V));
+)";
 
     template <class T>
     static T Evaluate(const T* p, CosineVisibility V, Albedo rho) {

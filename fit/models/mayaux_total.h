@@ -78,6 +78,18 @@ T Evaluate(const MayauxConstants<T>& constants, PoleGuard guard, UniformVisibili
     return GeometricTotal(F0, F1, BounceRatio(F0, F1), rho);
 }
 
+/// [Mayaux18 eq. 12] under PoleGuard::kPort, for shaders. With D = 1 - F0, the fraction is widened
+/// by D: F1 / (1 - rho tau) = F1 D / ((1 - rho) D + rho F1), which does not subtract nearly equal
+/// floats. The last max is the guard 1 - rho tau >= 1e-5.
+inline constexpr std::string_view kMayauxPortShader = R"(
+    float alpha = min(PlumbUnit(uniform_visibility), 0.999f);
+    {T} rho = PlumbUnit(albedo);
+    float F0 = alpha * (1.0f + {a} * pow(1.0f - alpha, {p}));
+    float F1 = {A} * alpha * pow(1.0f - alpha, 1.5f) * exp(-{B} * sqrt(sqrt(alpha)));
+    float D = max(1.0f - F0, 1e-5f);
+    return PlumbUnit(F0 + rho * F1 * D / max((1.0f - rho) * D + rho * F1, 1e-5f * D));
+)";
+
 /// The total with its four constants as parameters, for one guard.
 template <PoleGuard kGuard>
 struct MayauxTotalModel {
@@ -92,6 +104,8 @@ struct MayauxTotalModel {
         FirstBounceModel::kParameters[0],
         FirstBounceModel::kParameters[1],
     }};
+    static constexpr std::string_view kShader =
+        kGuard == PoleGuard::kPort ? kMayauxPortShader : "";
 
     template <class T>
     static T Evaluate(const T* p, UniformVisibility alpha, Albedo rho) {

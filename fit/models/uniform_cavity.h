@@ -28,6 +28,11 @@ constexpr double CavityTotal(CosineVisibility V, Albedo rho) {
 struct UniformCavityModel {
     static constexpr std::string_view kName = "cavity";
     static constexpr std::array<Parameter, 0> kParameters{};
+    static constexpr std::string_view kShader = R"(
+    float V = PlumbUnit(cosine_visibility);
+    {T} rho = PlumbUnit(albedo);
+    return PlumbUnit(1.0f - (1.0f - V) * ((1.0f - rho) / max((1.0f - rho) + rho * V, 1e-20f)));
+)";
 
     template <class T>
     static T Evaluate(const T*, CosineVisibility V, Albedo rho) {

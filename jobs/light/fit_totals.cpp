@@ -10,11 +10,6 @@
 #include "fit/mayaux_faults.h"
 #include "fit/mayaux_refit.h"
 #include "fit/model_fit.h"
-#include "fit/models/escape_alternatives.h"
-#include "fit/models/escape_bent_of_v.h"
-#include "fit/models/escape_of_alpha_and_v.h"
-#include "fit/models/escape_probability.h"
-#include "fit/models/gtao_cubic.h"
 #include "jobs/light/curves.h"
 #include "jobs/light/facet_scores.h"
 #include "jobs/light/form_choice.h"
@@ -62,19 +57,8 @@ class Fitter {
         monitor_.Progress("fits", 0.2);
         Baselines();
         RefittedPaper(report);
-        RefittedTotal(ModelOf<EscapeOfAlphaClamped>(), report);
-        RefittedTotal(ModelOf<EscapeOfV>(), report);
-        RefittedTotal(ModelOf<EscapeBentOfV>(), report);
-        RefittedTotal(ModelOf<EscapeOfAlphaAndV>(), report);
-        RefittedTotal(ModelOf<GtaoCubicModel>(), report);
-        if (settings_.compare_forms) {
-            for (const std::string_view form :
-                 {EscapeLinearOfV::kName, TwoEscapesLinearOfV::kName, EscapePowerOfAlpha::kName,
-                  EscapeOfClosures::kName, EscapeScaledOfBoth::kName, EscapeRaisedOfBoth::kName,
-                  TwoEscapesOfBoth::kName}) {
-                RefittedTotal(FindModel(form), report);
-            }
-        }
+        RefittedTotals(ModelUse::kRefitted, report);
+        if (settings_.compare_forms) RefittedTotals(ModelUse::kForm, report);
         monitor_.Progress("fits", 0.6);
         HoldOut();
         monitor_.Progress("fits", 0.8);
@@ -117,6 +101,12 @@ class Fitter {
         entries_.push_back({std::move(record), method});
         report.faults.push_back(FaultsOf("published", kMayaux18));
         report.faults.push_back(FaultsOf("refitted", constants));
+    }
+
+    void RefittedTotals(ModelUse use, FitReport& report) {
+        for (const Model& model : AllModels()) {
+            if (model.use == use) RefittedTotal(model, report);
+        }
     }
 
     void RefittedTotal(const Model& model, FitReport& report) {

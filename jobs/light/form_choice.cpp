@@ -2,10 +2,6 @@
 
 #include "fit/fitting_method.h"
 #include "fit/leave_one_out.h"
-#include "fit/models/escape_alternatives.h"
-#include "fit/models/escape_bent_of_v.h"
-#include "fit/models/escape_of_alpha_and_v.h"
-#include "fit/models/escape_probability.h"
 #include "fit/models/gtao_cubic.h"
 #include "fit/models/uniform_cavity.h"
 #include "fit/scores.h"
@@ -27,11 +23,14 @@ std::vector<T> EverySecond(const std::vector<T>& all, std::size_t first) {
 }  // namespace
 
 std::vector<std::string_view> ComparedForms() {
-    return {UniformCavityModel::kName,  GtaoCubicModel::kName,     EscapeOfAlphaClamped::kName,
-            EscapeOfV::kName,           EscapeBentOfV::kName,      EscapeLinearOfV::kName,
-            TwoEscapesLinearOfV::kName, EscapePowerOfAlpha::kName, EscapeOfClosures::kName,
-            EscapeOfAlphaAndV::kName,   EscapeScaledOfBoth::kName, EscapeRaisedOfBoth::kName,
-            TwoEscapesOfBoth::kName};
+    // What others have, then ours.
+    std::vector<std::string_view> forms{UniformCavityModel::kName, GtaoCubicModel::kName};
+    for (const Model& model : AllModels()) {
+        if (model.use != ModelUse::kNone && model.name != GtaoCubicModel::kName) {
+            forms.push_back(model.name);
+        }
+    }
+    return forms;
 }
 
 std::optional<FormChoice> ChooseForm(std::span<const SurfaceLight> lights,

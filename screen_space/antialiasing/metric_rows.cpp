@@ -15,14 +15,16 @@ HWY_BEFORE_NAMESPACE();
 namespace plumb::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
+#include "screen_space/simd/lanes.inc"
 
+// Half as many numbers at once, in double.
 using Doubles = hn::CappedTag<double, 8>;
-using Floats = hn::Rebind<float, Doubles>;
-using Ints = hn::Rebind<std::int32_t, Doubles>;
+using HalfFloats = hn::Rebind<float, Doubles>;
+using HalfInts = hn::Rebind<std::int32_t, Doubles>;
 using D = hn::Vec<Doubles>;
+using Vector = LaneVector<D>;
 
-inline D Set(double value) {
+inline D SetD(double value) {
     return hn::Set(Doubles(), value);
 }
 
@@ -33,15 +35,15 @@ class Block {
 
     /// values[(x + lane) * step + offset]
     D Gather(const float* values, int step, int offset) const {
-        const Ints ints;
+        const HalfInts ints;
         const auto pixel =
             hn::Min(hn::Add(hn::Iota(ints, 0), hn::Set(ints, x_)), hn::Set(ints, last_));
         const auto at = hn::Add(hn::Mul(pixel, hn::Set(ints, step)), hn::Set(ints, offset));
-        return hn::PromoteTo(Doubles(), hn::GatherIndex(Floats(), values, at));
+        return hn::PromoteTo(Doubles(), hn::GatherIndex(HalfFloats(), values, at));
     }
 
     void Store(D values, float* to) const {
-        const Floats df;
+        const HalfFloats df;
         const auto narrow = hn::DemoteTo(df, values);
         if (x_ + int(hn::Lanes(df)) <= last_ + 1) {
             hn::StoreU(narrow, df, to + x_);
@@ -63,10 +65,10 @@ class Encoder {
         : metric_(metric), levels_(metric.bits > 0 ? double((1 << metric.bits) - 1) : 0) {}
 
     D operator()(D z_m) const {
-        const D near = Set(metric_.near_m), far = Set(metric_.far_m);
+        const D near = SetD(metric_.near_m), far = SetD(metric_.far_m);
         const D away = hn::Neg(z_m);
         const D d = hn::IfThenElse(hn::Lt(away, far), hn::Max(near, away), far);
-        const D range = Set(metric_.far_m - metric_.near_m);
+        const D range = SetD(metric_.far_m - metric_.near_m);
         D encoded = d;
         if (metric_.encoding == DepthEncoding::kLinear) {
             encoded = hn::Div(hn::Sub(d, near), range);
@@ -74,10 +76,10 @@ class Encoder {
             encoded = hn::Div(hn::Mul(far, hn::Sub(d, near)), hn::Mul(d, range));
         }
         if (metric_.bits > 0) {
-            const D level = hn::Floor(hn::Add(hn::Mul(encoded, Set(levels_)), Set(0.5)));
-            encoded = hn::Div(level, Set(levels_));
+            const D level = hn::Floor(hn::Add(hn::Mul(encoded, SetD(levels_)), SetD(0.5)));
+            encoded = hn::Div(level, SetD(levels_));
         }
-        return hn::PromoteTo(Doubles(), hn::DemoteTo(Floats(), encoded));
+        return hn::PromoteTo(Doubles(), hn::DemoteTo(HalfFloats(), encoded));
     }
 
   private:
@@ -87,12 +89,12 @@ class Encoder {
 
 void Depths(const DepthMetric& metric, const Image<float>& z_m, int m, int y, float* k) {
     const Encoder encode(metric);
-    const D n = Set(m * m);
+    const D n = SetD(m * m);
     const int width = z_m.Width() / m, lanes = int(hn::Lanes(Doubles()));
     alignas(64) double kept[kMaxSamples * 8];
     for (int x = 0; x < width; x += lanes) {
         const Block block(x, width);
-        D sum = Set(0);
+        D sum = SetD(0);
         for (int j = 0; j < m; ++j) {
             const float* row = &z_m(0, y * m + j);
             for (int i = 0; i < m; ++i) {
@@ -102,34 +104,14 @@ void Depths(const DepthMetric& metric, const Image<float>& z_m, int m, int y, fl
             }
         }
         const D mean = hn::Div(sum, n);
-        D squares = Set(0);
+        D squares = SetD(0);
         for (int i = 0; i < m * m; ++i) {
             const D off = hn::Sub(hn::Load(Doubles(), kept + std::size_t(i) * 8), mean);
             squares = hn::Add(squares, hn::Mul(off, off));
         }
-        const D samples = hn::Mul(Set(metric.c), hn::Div(squares, n));
-        block.Store(hn::Max(Set(0), samples), k);
+        const D samples = hn::Mul(SetD(metric.c), hn::Div(squares, n));
+        block.Store(hn::Max(SetD(0), samples), k);
     }
-}
-
-struct Vector {
-    D x, y, z;
-};
-
-inline Vector Minus(const Vector& a, const Vector& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-
-inline Vector Plus(const Vector& a, const Vector& b) {
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-
-inline Vector Over(const Vector& a, D by) {
-    return {hn::Div(a.x, by), hn::Div(a.y, by), hn::Div(a.z, by)};
-}
-
-inline D Dot(const Vector& a, const Vector& b) {
-    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
 void Normals(const NormalMetric& metric, const Image<Vec3f>& normals, int m, int y, float* k) {
@@ -138,9 +120,9 @@ void Normals(const NormalMetric& metric, const Image<Vec3f>& normals, int m, int
     Vector kept[kMaxSamples];
     for (int x = 0; x < width; x += lanes) {
         const Block block(x, width);
-        Vector sum{Set(0), Set(0), Set(0)};
+        Vector sum{SetD(0), SetD(0), SetD(0)};
         // 1 where every normal, and where some normal, is 0: the sky's.
-        D all_sky = Set(1), some_sky = Set(0);
+        D all_sky = SetD(1), some_sky = SetD(0);
         for (int j = 0; j < m; ++j) {
             const float* row = normals(0, y * m + j).data();
             for (int i = 0; i < m; ++i) {
@@ -148,31 +130,31 @@ void Normals(const NormalMetric& metric, const Image<Vec3f>& normals, int m, int
                 n = {block.Gather(row, 3 * m, 3 * i), block.Gather(row, 3 * m, 3 * i + 1),
                      block.Gather(row, 3 * m, 3 * i + 2)};
                 sum = Plus(sum, n);
-                const auto sky = hn::And(hn::And(hn::Eq(n.x, Set(0)), hn::Eq(n.y, Set(0))),
-                                         hn::Eq(n.z, Set(0)));
+                const auto sky = hn::And(hn::And(hn::Eq(n.x, SetD(0)), hn::Eq(n.y, SetD(0))),
+                                         hn::Eq(n.z, SetD(0)));
                 all_sky = hn::IfThenElseZero(sky, all_sky);
-                some_sky = hn::IfThenElse(sky, Set(1), some_sky);
+                some_sky = hn::IfThenElse(sky, SetD(1), some_sky);
             }
         }
-        Vector mean = Over(sum, Set(m * m));
+        Vector mean = Over(sum, SetD(m * m));
         const D length = hn::Sqrt(Dot(mean, mean));
         if (unit) mean = Over(mean, length);
-        D most = Set(0);
+        D most = SetD(0);
         for (int i = 0; i < m * m; ++i) {
             const Vector& n = kept[i];
             if (unit) {
                 const Vector apart = Minus(mean, n), together = Plus(mean, n);
                 const D least = hn::Min(Dot(apart, apart), Dot(together, together));
-                most = hn::Max(most, hn::Mul(least, Set(0.5)));
+                most = hn::Max(most, hn::Mul(least, SetD(0.5)));
             } else {
                 const D less = Dot(Minus(n, mean), n);
-                most = hn::Max(most, hn::Min(less, hn::Sub(Set(2), less)));
+                most = hn::Max(most, hn::Min(less, hn::Sub(SetD(2), less)));
             }
         }
-        const auto widest = hn::Or(hn::Eq(some_sky, Set(1)), hn::Not(hn::Gt(length, Set(0))));
-        most = hn::IfThenElse(widest, Set(1), hn::Min(most, Set(1)));
-        most = hn::IfThenZeroElse(hn::Eq(all_sky, Set(1)), most);
-        block.Store(hn::Mul(Set(metric.c), hn::Sqrt(most)), k);
+        const auto widest = hn::Or(hn::Eq(some_sky, SetD(1)), hn::Not(hn::Gt(length, SetD(0))));
+        most = hn::IfThenElse(widest, SetD(1), hn::Min(most, SetD(1)));
+        most = hn::IfThenZeroElse(hn::Eq(all_sky, SetD(1)), most);
+        block.Store(hn::Mul(SetD(metric.c), hn::Sqrt(most)), k);
     }
 }
 

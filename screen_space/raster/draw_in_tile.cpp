@@ -11,12 +11,7 @@ HWY_BEFORE_NAMESPACE();
 namespace plumb::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-// As many lanes as the machine has, but not more than a tile's rows are padded for.
-using Floats = hn::CappedTag<float, 16>;
-using Ints = hn::RebindToSigned<Floats>;
-using Numbers = hn::RebindToUnsigned<Floats>;
+#include "screen_space/simd/lanes.inc"
 
 // The covered pixels [first, last] of each row of the tile.
 struct Spans {
@@ -33,18 +28,18 @@ void FindSpans(const TileTriangle& t, Spans& spans) {
         const auto row = hn::Iota(di, j);
         auto first = hn::Set(di, t.i_0), last = hn::Set(di, t.i_1);
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto F = hn::Add(hn::Set(di, t.F[k]), hn::Mul(hn::Set(di, t.dx[k]), row));
+            const auto edge = hn::Add(hn::Set(di, t.F[k]), hn::Mul(hn::Set(di, t.dx[k]), row));
             if (t.dy[k] == 0) {
-                last = hn::IfThenElse(hn::Lt(F, zero), hn::Set(di, -1), last);
+                last = hn::IfThenElse(hn::Lt(edge, zero), hn::Set(di, -1), last);
                 continue;
             }
             const auto quotient =
-                hn::Mul(hn::ConvertTo(df, F), hn::Set(df, 1 / float(t.dy[k])));
+                hn::Mul(hn::ConvertTo(df, edge), hn::Set(df, 1 / float(t.dy[k])));
             const auto inside =
                 hn::Min(hn::Max(quotient, hn::Set(df, -1.f)), hn::Set(df, float(kTilePx + 1)));
             const auto i = hn::ConvertTo(di, hn::Add(inside, hn::Set(df, 0.5f)));
-            const auto F_i = hn::Sub(F, hn::Mul(hn::Set(di, t.dy[k]), i));
-            const auto off = hn::IfThenElseZero(hn::Lt(F_i, zero), one);
+            const auto edge_i = hn::Sub(edge, hn::Mul(hn::Set(di, t.dy[k]), i));
+            const auto off = hn::IfThenElseZero(hn::Lt(edge_i, zero), one);
             if (t.dy[k] > 0) {
                 last = hn::Min(last, hn::Sub(i, off));
             } else {
@@ -78,7 +73,7 @@ class Pixels {
         : e_x_(hn::Set(Floats(), t.e_x)),
           e_min_(hn::Set(Floats(), t.e_min)),
           e_max_(hn::Set(Floats(), t.e_max)),
-          number_(hn::Set(Numbers(), t.triangle)),
+          number_(hn::Set(Bits(), t.triangle)),
           lane_(hn::Iota(Floats(), 0.f)),
           tile_(tile) {}
 
@@ -86,7 +81,7 @@ class Pixels {
     template <class Mask>
     HWY_INLINE void Draw(int i, int j, float e_row, Mask covered) const {
         const Floats d;
-        const Numbers du;
+        const Bits du;
         const auto x = hn::Add(lane_, hn::Set(d, float(i)));
         const auto e = hn::Add(hn::Set(d, e_row), hn::Mul(e_x_, x));
         const auto key = Key<kFormat>(hn::Min(hn::Max(e, e_min_), e_max_));
@@ -103,7 +98,7 @@ class Pixels {
 
   private:
     hn::Vec<Floats> e_x_, e_min_, e_max_;
-    hn::Vec<Numbers> number_;
+    hn::Vec<Bits> number_;
     hn::Vec<Floats> lane_;
     Tile& tile_;
 };

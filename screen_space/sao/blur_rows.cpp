@@ -11,26 +11,9 @@ HWY_BEFORE_NAMESPACE();
 namespace plumb::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
+#include "screen_space/simd/lanes.inc"
 
-using Floats = hn::CappedTag<float, 16>;
-using F = hn::Vec<Floats>;
-
-inline F Set(double value) {
-    return hn::Set(Floats(), float(value));
-}
-
-struct Vector {
-    F x, y, z;
-};
-
-inline F Dot(const Vector& a, const Vector& b) {
-    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-
-inline Vector Minus(const Vector& a, const Vector& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
+using Vector = LaneVector<F>;
 
 /// A block of pixels of a row that is `width` long, from pixel x on; lanes beyond it hold 0.
 struct Block {
@@ -67,8 +50,7 @@ struct Block {
     F Kept(F weight) const {
         if (whole) return weight;
         const F place = Places();
-        const auto inside =
-            hn::And(hn::Ge(place, hn::Zero(Floats())), hn::Lt(place, Set(width)));
+        const auto inside = hn::And(hn::Ge(place, Zero()), hn::Lt(place, Set(width)));
         return hn::IfThenElseZero(inside, weight);
     }
 
@@ -93,17 +75,15 @@ Surface SurfaceOf(const BlurGuide& guide, const Block& block, F key, int y) {
 }
 
 F SurfaceWeight(const Surface& centre, const Surface& tap, const BlurOptions& options) {
-    const Floats df;
     F weight = Set(1);
-    if (options.normal_weight)
-        weight = hn::Min(hn::Max(hn::Zero(df), Dot(centre.n, tap.n)), Set(1));
+    if (options.normal_weight) weight = hn::Min(hn::Max(Zero(), Dot(centre.n, tap.n)), Set(1));
     if (options.plane_weight) {
         const Vector across = Minus(centre.C, tap.C);
         const F d2 = Dot(across, across);
         const auto far = hn::Ge(d2, Set(options.near_m2));
         const F off = hn::Max(hn::Abs(Dot(across, tap.n)), hn::Abs(Dot(across, centre.n)));
         const F d = hn::Sqrt(hn::IfThenElse(far, d2, Set(1)));
-        const F in = hn::Max(hn::Zero(df), hn::Sub(Set(1), hn::Mul(Set(2), hn::Div(off, d))));
+        const F in = hn::Max(Zero(), hn::Sub(Set(1), hn::Mul(Set(2), hn::Div(off, d))));
         weight = hn::Mul(weight, hn::IfThenElse(far, hn::Mul(in, in), Set(1)));
     }
     return weight;
@@ -131,11 +111,11 @@ void Row(BlurAxis axis, const Image<float>& A, const BlurGuide& guide,
                 const F tap_key = tap.Of(&guide.key(0, j));
                 const F off =
                     hn::Mul(Set(options.edge_sharpness), hn::Abs(hn::Sub(tap_key, key)));
-                F share = hn::Max(hn::Zero(df), hn::Sub(Set(1), off));
+                F share = hn::Max(Zero(), hn::Sub(Set(1), off));
                 if (surfaces) {
                     const Surface there = SurfaceOf(guide, tap, tap_key, j);
                     share = hn::Mul(share, SurfaceWeight(here, there, options));
-                    share = hn::IfThenElseZero(hn::Gt(share, hn::Zero(df)), share);  // NaN
+                    share = hn::IfThenElseZero(hn::Gt(share, Zero()), share);  // NaN
                 }
                 if (options.monotonic) share = nearest = hn::Min(nearest, share);
                 const F g = Set(options.lift + options.kernel[std::size_t(k)]);

@@ -12,20 +12,8 @@ HWY_BEFORE_NAMESPACE();
 namespace plumb::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-// 16 lanes at most: what the pyramid's rows and margins are padded for.
-using Floats = hn::CappedTag<float, 16>;
-using Ints = hn::RebindToSigned<Floats>;
-using Bits = hn::RebindToUnsigned<Floats>;
-using F = hn::Vec<Floats>;
-using I = hn::Vec<Ints>;
-using U = hn::Vec<Bits>;
-
-inline F Set(float value) {
-    return hn::Set(Floats(), value);
-}
-
+#include "screen_space/simd/lanes.inc"
+// Made of these:
 #include "screen_space/sao/pixel_turns.inc"
 
 /// A block of pixels, side by side in a row.
@@ -37,7 +25,7 @@ struct Block {
     F open;  // 1 where A = 1 whatever the taps meet, else 0
 };
 
-inline F FromMask(hn::Mask<Floats> mask) {
+inline F FromMask(M mask) {
     return hn::IfThenElseZero(mask, Set(1));
 }
 

@@ -35,6 +35,10 @@ BoundKnobs<O> EstimatorKnobs() {
         Switch<O>(
             "lift_dark", "A becomes (A^0.2 + 1.2 A^4) / 2.2 (falloffs a to d)",
             [](auto& o) -> auto& { return o.sampling.sao.lift_dark; }),
+        Choice<O>(
+            "depth", {"surface", "d16", "d24", "d32f", "d32f_reversed"},
+            "Format of the depth that is read; surface: a float of z itself",
+            [](auto& o) -> auto& { return o.depth; }),
     };
 }
 

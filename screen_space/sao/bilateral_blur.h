@@ -67,7 +67,7 @@ struct BlurGuide {
 Image<float> BlurredAlong(BlurAxis axis, const Image<float>& A, const BlurGuide& guide,
                           const BlurOptions& options, const PixelRect& where);
 
-/// A' of one pixel, in double: what BlurredAlong is held against.
+/// A' of one pixel, in double: what BlurredAlong is compared with.
 double BlurredPixel(BlurAxis axis, const Image<float>& A, const BlurGuide& guide,
                     const BlurOptions& options, int x, int y);
 

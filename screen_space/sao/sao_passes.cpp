@@ -206,6 +206,14 @@ Image<float> SamplePass(const GBuffer& gbuffer, const ZPyramid& pyramid,
 const Image<float>& RunSao(const GBuffer& gbuffer, const SaoOptions& options,
                            SaoScratch& scratch, const PassObserver& observer) {
     CheckInput(gbuffer, options);
+    if (options.depth != DepthRead::kSurface) {
+        GBuffer as_read = gbuffer;
+        as_read.z_m = DepthAsRead(gbuffer.z_m, gbuffer.range, options.depth);
+        if (observer) observer("depth", {});
+        SaoOptions others = options;
+        others.depth = DepthRead::kSurface;
+        return RunSao(as_read, others, scratch, observer);
+    }
     const TapOptions& taps = options.sampling.taps;
     scratch.pyramid.Build(gbuffer.z_m, taps.filter, taps.coarsest_level);
     if (observer) observer("z pyramid", {});

@@ -1,6 +1,6 @@
 // SAO from a G-buffer to the filtered picture, pass by pass; each pass can be left out.
 //
-//       z pyramid -> sample -> quads -> pack (to RGB8) or key -> blur x -> blur y
+//       (depth ->) z pyramid -> sample -> quads -> pack (to RGB8) or key -> blur x -> blur y
 //
 // By these names they are told to an observer. Without one, what several passes do to a tile is done
 // while the tile is in the cache: the same bits in less time.
@@ -16,6 +16,7 @@
 #include "screen_space/gbuffer.h"
 #include "screen_space/pass_observer.h"
 #include "screen_space/sao/bilateral_blur.h"
+#include "screen_space/sao/depth_read.h"
 #include "screen_space/sao/obscurance_pass.h"
 #include "screen_space/sao/quad_filter.h"
 
@@ -23,6 +24,7 @@ namespace plumb {
 
 /// One configuration of SAO. The passes that are off hand on what they got.
 struct SaoOptions {
+    DepthRead depth = DepthRead::kSurface;  ///< Format of the depth that RunSao reads.
     ObscuranceOptions sampling;
     bool quad_filter = true;
     double quad_threshold_m = kQuadThresholdM;  ///< (0, 1e7]

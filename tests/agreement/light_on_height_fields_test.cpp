@@ -21,9 +21,9 @@
 #include "core/statistics.h"
 #include "formfactor/bounces.h"
 #include "formfactor/slice_links.h"
-#include "heightfield/analytic_fields.h"
 #include "rays/embree/embree_caster.h"
 #include "tests/agreement/surfaces.h"
+#include "tests/closed_forms/analytic_fields.h"
 #include "truth/escape_walk.h"
 #include "truth/open_sky.h"
 

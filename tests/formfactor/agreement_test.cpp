@@ -12,8 +12,8 @@
 #include "formfactor/bounces.h"
 #include "formfactor/ray_links.h"
 #include "formfactor/slice_links.h"
-#include "formfactor/trench.h"
-#include "heightfield/analytic_fields.h"
+#include "tests/closed_forms/analytic_fields.h"
+#include "tests/closed_forms/trench.h"
 #include "tests/formfactor/fields.h"
 
 namespace plumb {

@@ -12,7 +12,7 @@
 #include "formfactor/make_links.h"
 #include "formfactor/slice_links.h"
 #include "formfactor/total.h"
-#include "heightfield/analytic_fields.h"
+#include "tests/closed_forms/analytic_fields.h"
 #include "tests/formfactor/fields.h"
 
 namespace plumb {

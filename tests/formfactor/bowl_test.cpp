@@ -8,10 +8,10 @@
 
 #include "core/conventions.h"
 #include "formfactor/bounces.h"
-#include "formfactor/cavity.h"
-#include "formfactor/pit.h"
 #include "formfactor/slice_links.h"
-#include "heightfield/analytic_fields.h"
+#include "tests/closed_forms/analytic_fields.h"
+#include "tests/closed_forms/equal_sky.h"
+#include "tests/closed_forms/pit.h"
 #include "tests/formfactor/fields.h"
 
 namespace plumb {

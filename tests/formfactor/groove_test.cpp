@@ -8,11 +8,11 @@
 
 #include "core/conventions.h"
 #include "formfactor/bounces.h"
-#include "formfactor/cavity.h"
 #include "formfactor/slice_links.h"
 #include "formfactor/total.h"
-#include "formfactor/trench.h"
-#include "heightfield/analytic_fields.h"
+#include "tests/closed_forms/analytic_fields.h"
+#include "tests/closed_forms/equal_sky.h"
+#include "tests/closed_forms/trench.h"
 #include "tests/formfactor/fields.h"
 
 namespace plumb {

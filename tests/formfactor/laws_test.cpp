@@ -11,7 +11,7 @@
 #include "formfactor/ray_links.h"
 #include "formfactor/slice_links.h"
 #include "formfactor/total.h"
-#include "heightfield/analytic_fields.h"
+#include "tests/closed_forms/analytic_fields.h"
 #include "tests/formfactor/fields.h"
 
 namespace plumb {

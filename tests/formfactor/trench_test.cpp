@@ -1,6 +1,6 @@
 // The trench: its floor exactly, with the ramps that are its walls on the grid, and the light
 // between floor and walls as the ramps grow steep.
-#include "formfactor/trench.h"
+#include "tests/closed_forms/trench.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "core/conventions.h"
 #include "formfactor/bounces.h"
 #include "formfactor/slice_links.h"
-#include "heightfield/analytic_fields.h"
+#include "tests/closed_forms/analytic_fields.h"
 #include "tests/formfactor/fields.h"
 
 namespace plumb {

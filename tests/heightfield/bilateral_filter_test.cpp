@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "heightfield/analytic_fields.h"
 #include "heightfield/procedural/terrain.h"
+#include "tests/closed_forms/analytic_fields.h"
 
 namespace plumb {
 namespace {

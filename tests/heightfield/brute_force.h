@@ -12,9 +12,9 @@
 
 #include "core/conventions.h"
 #include "core/random.h"
-#include "heightfield/analytic_fields.h"
 #include "heightfield/facet.h"
 #include "heightfield/ray_cast.h"
+#include "tests/closed_forms/analytic_fields.h"
 
 namespace plumb {
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "core/conventions.h"
-#include "heightfield/analytic_fields.h"
 #include "heightfield/facet.h"
+#include "tests/closed_forms/analytic_fields.h"
 #include "tests/heightfield/brute_force.h"
 
 namespace plumb {

@@ -4,8 +4,8 @@
 
 #include "core/error.h"
 #include "formfactor/slice_links.h"
-#include "heightfield/analytic_fields.h"
 #include "jobs/light/surface.h"
+#include "tests/closed_forms/analytic_fields.h"
 
 namespace plumb {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "heightfield/analytic_fields.h"
+#include "tests/closed_forms/analytic_fields.h"
 
 namespace plumb {
 namespace {

@@ -7,9 +7,9 @@
 #include "core/parallel.h"
 #include "core/statistics.h"
 #include "formfactor/total.h"
-#include "heightfield/analytic_fields.h"
 #include "jobs/light/facet_scores.h"
 #include "jobs/light/surface.h"
+#include "tests/closed_forms/analytic_fields.h"
 
 namespace plumb {
 namespace {

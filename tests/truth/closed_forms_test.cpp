@@ -124,7 +124,7 @@ TEST(ClosedForms, Wedge) {
     }
 }
 
-// Expected: V in closed form (formfactor/trench.h derives it); E(rho) for rho = 0.5 and 0.8 to
+// Expected: V in closed form (tests/closed_forms/trench.h derives it); E(rho) for rho = 0.5 and 0.8 to
 // 8 digits from a Gauss-Legendre Nystroem solution of the radiosity equation (n = 120 and 240
 // agree), and for all of them from the strips of trench_radiosity.h.
 // Slack: the trench ends 100 widths away, which opens less than d^2 / (pi 100^3) = 3e-7 a

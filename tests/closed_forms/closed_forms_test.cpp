@@ -8,9 +8,9 @@
 
 #include "core/conventions.h"
 #include "core/vec.h"
-#include "formfactor/cavity.h"
-#include "formfactor/pit.h"
-#include "formfactor/trench.h"
+#include "tests/closed_forms/equal_sky.h"
+#include "tests/closed_forms/pit.h"
+#include "tests/closed_forms/trench.h"
 
 namespace plumb {
 namespace {

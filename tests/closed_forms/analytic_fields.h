@@ -10,7 +10,7 @@
 //   Sinusoid  A/2 sin 2 pi (k_x u + k_y v)               chords of the wave, order s^2
 //
 // Source   Closed forms: V-groove, trench and bowl are textbook radiative transfer (Lambert's
-//          law in the plane; the sphere's constant form factor). They live in formfactor/;
+//          law in the plane; the sphere's constant form factor). They stand beside this;
 //          here each struct says for which surface they hold and how the grid departs from it.
 // Symbols  s spacing (m), square texels throughout; other letters at each struct.
 // Beware   "Exact on the grid" means: the triangulated field is the continuous surface, up to

@@ -1,4 +1,4 @@
-#include "heightfield/analytic_fields.h"
+#include "tests/closed_forms/analytic_fields.h"
 
 #include <algorithm>
 #include <cmath>

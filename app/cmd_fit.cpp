@@ -1,7 +1,6 @@
 // plumb fit: height maps in; refitted constants, shader headers and a report out.
 //
 // Options -> struct -> call -> print.
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,12 +34,9 @@ void FitMeasured(const Options& o) {
         options.open_ground = o.open_ground == "pi" ? kOpenIrradiance : 1;
     const FitReport report =
         FitMeasuredCurves(o.histogram, options, ContextOf(o.common, *monitor));
-    WriteCurveResults(o.common.out, report);
-    if (o.common.json) {
-        std::cout << ToJsonText(report);
-    } else if (!o.common.quiet) {
-        WriteTable(std::cout, report);
-    }
+    const doc::Document document = DocumentOf(report);
+    WriteFitTables(o.common.out, report, document);
+    Publish(document, o.common);
 }
 
 void Run(const CLI::App& command, const Options& o) {
@@ -58,13 +54,9 @@ void Run(const CLI::App& command, const Options& o) {
         WritePictures(o.common.out / "maps", surfaces[m].field, result.V[m],
                       result.report.maps[m]);
     }
-    const std::filesystem::path page = WriteFitResults(o.common.out, result.report);
-    if (o.common.json) {
-        std::cout << ToJsonText(result.report);
-    } else if (!o.common.quiet) {
-        WriteTable(std::cout, result.report);
-        std::cout << "\nReport: " << page.string() << "\n";
-    }
+    const doc::Document document = DocumentOf(result.report);
+    WriteFitTables(o.common.out, result.report, document);
+    Publish(document, o.common);
     for (const SurfaceReport& map : result.report.maps) RequireFurnace(map);
 }
 
@@ -73,8 +65,8 @@ void Add(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "fit",
         "Refit the constants of ambient occlusion with interreflection to height maps.\n"
-        "Writes report.html, report.json, scores.csv, constants.csv and shader headers\n"
-        "(plumb_light.glsl, .hlsl, .h) to the folder --out.");
+        "Writes report.html, report.json, report.csv, scores.csv, constants.csv and shader\n"
+        "headers (plumb_light.glsl, .hlsl, .h) to the folder --out.");
     command->add_option("maps", o->maps,
                         "Height maps: images (docs/height_maps.md) or make:KIND[:SIZE[:SEED]]");
     command

@@ -1,7 +1,6 @@
 // plumb simulate: the light on one height map, as maps, histograms and a page.
 //
 // Options -> struct -> call -> print.
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,7 +8,6 @@
 #include "app/command.h"
 #include "app/simulate_options.h"
 #include "jobs/light/simulate.h"
-#include "jobs/write_results.h"
 
 namespace plumb::app {
 namespace {
@@ -31,14 +29,9 @@ void Run(const CLI::App& command, const Options& o) {
     job.albedo_map = o.albedo_map;
     job.sweep_amplitude = o.sweep;
     job.write_maps = !o.no_maps;
-    const SimulateResult result = Simulate(surface, job, ContextOf(o.common, *monitor));
-    if (o.common.json) {
-        std::cout << ToJsonText(result.report);
-    } else if (!o.common.quiet) {
-        WriteTable(std::cout, result.report);
-        std::cout << "\nReport: " << result.page.string() << "\n";
-    }
-    RequireFurnace(result.report.surface);
+    const SimulateReport report = Simulate(surface, job, ContextOf(o.common, *monitor));
+    Publish(DocumentOf(report), o.common);
+    RequireFurnace(report.surface);
 }
 
 void Add(CLI::App& program) {
@@ -46,7 +39,8 @@ void Add(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "simulate",
         "Simulate the light on one height map under a white sky: form factors and bounces.\n"
-        "Writes light.exr (alpha, V, E_k, E(rho)), histograms, report.html and report.json\n"
+        "Writes light.exr (alpha, V, E_k, E(rho)), histograms, report.html, report.json and "
+        "report.csv\n"
         "(docs/light.md).");
     command
         ->add_option("map", o->map,

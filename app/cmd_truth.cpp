@@ -46,12 +46,7 @@ void RunTruth(Options o) {
     o.job.seed = o.common.seed;
     const TruthResult result =
         MeasureTruth(LoadScene(o.scene), o.job, ContextOf(o.common, *monitor));
-    if (o.common.json) {
-        std::cout << ToJsonText(result.report);
-    } else if (!o.common.quiet) {
-        WriteTable(std::cout, result.report);
-        std::cout << "Images: " << result.exr.string() << "\n";
-    }
+    Print(result.document, result.page, o.common);
     if (result.interrupted) throw Interrupted();
 }
 
@@ -61,8 +56,8 @@ void Add(CLI::App& program) {
         "truth",
         "Path-trace one view of a scene: V, alpha and bounces under a white sky, irradiance "
         "and\n"
-        "beauty under its own, each with its standard error. Writes truth.exr, truth.json and\n"
-        "pictures; states go to the cache.");
+        "beauty under its own, each with its standard error. Writes truth.exr, truth.html,\n"
+        "truth.json, truth.csv and pictures; states go to the cache.");
     command
         ->add_option("scene", o->scene,
                      "A scene.json, or a generated scene such as atrium (docs/scenes.md)")

@@ -202,7 +202,11 @@ RunContext ContextOf(const Common& common, Monitor& monitor) {
 }
 
 void Publish(const doc::Document& document, const Common& common) {
-    const std::filesystem::path page = WriteDocument(common.out, document);
+    Print(document, WriteDocument(common.out, document), common);
+}
+
+void Print(const doc::Document& document, const std::filesystem::path& page,
+           const Common& common) {
     if (common.json) {
         std::cout << doc::ToJsonText(document);
     } else if (!common.quiet) {

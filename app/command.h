@@ -39,7 +39,11 @@ void RememberCommandLine(int argc, char** argv);
 /// What a job is run with; `monitor` must outlive it.
 RunContext ContextOf(const Common& common, Monitor& monitor);
 
-/// Writes the document into --out, and prints it: as JSON, for a terminal or not at all.
+/// As JSON, for a terminal with the path of the page that holds it, or not at all.
+void Print(const doc::Document& document, const std::filesystem::path& page,
+           const Common& common);
+
+/// Writes the document into --out, and prints it.
 void Publish(const doc::Document& document, const Common& common);
 
 /// A subcommand that lists itself: one such object in its own file, which nobody else names.

@@ -70,7 +70,7 @@ void AppendNumber(std::string& text, double number) {
 
 }  // namespace
 
-std::vector<double> Column(const NumberTable& table, const std::string& name) {
+std::vector<double> NumbersIn(const NumberTable& table, const std::string& name) {
     const auto found = std::find(table.names.begin(), table.names.end(), name);
     if (found == table.names.end()) {
         std::string known;

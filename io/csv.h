@@ -27,7 +27,7 @@ struct NumberTable {
 };
 
 /// The column `name` from top to bottom. Throws Error naming it and those that exist.
-std::vector<double> Column(const NumberTable& table, const std::string& name);
+std::vector<double> NumbersIn(const NumberTable& table, const std::string& name);
 
 /// Curves measured elsewhere, too: the columns are the caller's to interpret. `name` is what
 /// errors call the text. At least one column and one row.

@@ -5,11 +5,11 @@
 namespace plumb {
 
 std::filesystem::path WriteDocument(const std::filesystem::path& folder,
-                                    const doc::Document& document) {
-    const std::filesystem::path page = folder / "report.html";
+                                    const doc::Document& document, const std::string& name) {
+    const std::filesystem::path page = folder / (name + ".html");
     WriteWholeFile(page, doc::ToHtml(document));
-    WriteWholeFile(folder / "report.json", doc::ToJsonText(document));
-    WriteWholeFile(folder / "report.csv", doc::ToCsv(document));
+    WriteWholeFile(folder / (name + ".json"), doc::ToJsonText(document));
+    WriteWholeFile(folder / (name + ".csv"), doc::ToCsv(document));
     return page;
 }
 

@@ -1,7 +1,6 @@
 #include "jobs/write_results.h"
 
 #include <cctype>
-#include <sstream>
 #include <utility>
 
 #include "core/total_name.h"
@@ -12,17 +11,11 @@
 #include "io/whole_file.h"
 #include "jobs/light/fit_constants.h"
 #include "jobs/pictures.h"
+#include "reports/render.h"
 #include "reports/shader_header.h"
 
 namespace plumb {
 namespace {
-
-template <class Write>
-void WriteText(const std::filesystem::path& path, Write&& write) {
-    std::ostringstream text;
-    write(text);
-    WriteWholeFile(path, text.str());
-}
 
 /// Mean height of every facet: what stands in the middle of its three corners.
 std::vector<double> FacetHeightsM(const HeightField& field) {
@@ -56,44 +49,27 @@ void WritePictures(const std::filesystem::path& folder, const HeightField& field
     report.visibility_picture = PngDataUri(visibility);
 }
 
-std::filesystem::path WriteFitResults(const std::filesystem::path& folder,
-                                      const FitReport& report) {
-    const std::filesystem::path page = folder / "report.html";
-    WriteWholeFile(page, ToHtml(report));
-    WriteWholeFile(folder / "report.json", ToJsonText(report));
-    WriteText(folder / "scores.csv", [&](std::ostream& out) { WriteScoresCsv(out, report); });
-    WriteText(folder / "constants.csv",
-              [&](std::ostream& out) { WriteConstantsCsv(out, report); });
+void WriteFitTables(const std::filesystem::path& folder, const FitReport& report,
+                    const doc::Document& document) {
+    WriteWholeFile(folder / "constants.csv", ToCsv(ConstantsTable(report)));
+    if (report.formulas.empty()) return;
+    WriteWholeFile(folder / "scores.csv", ToCsv(doc::TableOf(document, "scores")));
     if (report.choice)
-        WriteText(folder / "choice.csv",
-                  [&](std::ostream& out) { WriteChoiceCsv(out, report); });
+        WriteWholeFile(folder / "choice.csv", ToCsv(doc::TableOf(document, "forms")));
     const ShaderHeader header = ShaderHeaderOf(report);
     for (const ShaderLanguage language :
          {ShaderLanguage::kGlsl, ShaderLanguage::kHlsl, ShaderLanguage::kCpp}) {
         WriteWholeFile(folder / ("plumb_light." + Extension(language)),
                        WriteShaderHeader(header, language));
     }
-    return page;
 }
 
-void WriteCurveResults(const std::filesystem::path& folder, const FitReport& report) {
-    WriteWholeFile(folder / "curves.json", ToJsonText(report));
-    WriteText(folder / "constants.csv",
-              [&](std::ostream& out) { WriteConstantsCsv(out, report); });
-}
-
-std::filesystem::path WriteSimulateResults(const std::filesystem::path& folder,
-                                           const SimulateReport& report) {
-    const std::filesystem::path page = folder / "report.html";
-    WriteWholeFile(page, ToHtml(report));
-    WriteWholeFile(folder / "report.json", ToJsonText(report));
-    const SurfaceReport& surface = report.surface;
+void WriteHistograms(const std::filesystem::path& folder, const SurfaceReport& surface) {
     for (const auto& [name, histogram] : {std::pair{"histogram_alpha", &surface.over_alpha},
                                           std::pair{"histogram_v", &surface.over_V}}) {
         WriteHistogramJson(folder / (std::string(name) + ".json"), *histogram);
         WriteHistogramCsv(folder / (std::string(name) + ".csv"), *histogram);
     }
-    return page;
 }
 
 void WriteLightMaps(const std::filesystem::path& folder, const Surface& surface,

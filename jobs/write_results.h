@@ -10,7 +10,6 @@
 #include "jobs/light/simulate_surface.h"
 #include "jobs/light/surface.h"
 #include "reports/fit_report.h"
-#include "reports/simulate_report.h"
 
 namespace plumb {
 
@@ -18,18 +17,14 @@ namespace plumb {
 void WritePictures(const std::filesystem::path& folder, const HeightField& field,
                    std::span<const double> V, SurfaceReport& report);
 
-/// report.html, report.json, scores.csv, constants.csv, choice.csv (of four maps or more) and the
-/// shader headers plumb_light.glsl, .hlsl and .h. Returns the page's path.
-std::filesystem::path WriteFitResults(const std::filesystem::path& folder,
-                                      const FitReport& report);
+/// constants.csv and, but for a report of curves alone (jobs/light/fit_measured.h), scores.csv,
+/// choice.csv (of four maps or more) and the shader headers plumb_light.glsl, .hlsl and .h.
+/// `document` is that of the report.
+void WriteFitTables(const std::filesystem::path& folder, const FitReport& report,
+                    const doc::Document& document);
 
-/// curves.json and constants.csv of a report of curves alone (jobs/light/fit_measured.h).
-void WriteCurveResults(const std::filesystem::path& folder, const FitReport& report);
-
-/// report.html, report.json and histogram_alpha / histogram_v as JSON and CSV. Returns the
-/// page's path.
-std::filesystem::path WriteSimulateResults(const std::filesystem::path& folder,
-                                           const SimulateReport& report);
+/// histogram_alpha and histogram_v as JSON and CSV.
+void WriteHistograms(const std::filesystem::path& folder, const SurfaceReport& surface);
 
 /// Maps of the light, one pixel a cell: light.exr with the channels height_m, alpha, V, E_0 ...
 /// E_K and E(rho) of each albedo (core/total_name.h), all of them the mean of the cell's two

@@ -4,7 +4,6 @@
 //          little influence on the curves but for extreme values.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,7 +27,5 @@ struct AmplitudeSweep {
     std::string map;
     std::vector<AmplitudePoint> points;  ///< Ascending in amplitude.
 };
-
-nlohmann::ordered_json ToJson(const AmplitudeSweep& sweep);
 
 }  // namespace plumb

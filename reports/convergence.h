@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "core/measured.h"
+#include "reports/document.h"
 
 namespace plumb {
 
@@ -24,10 +24,10 @@ struct Convergence {
     std::string reference;  ///< What the errors are measured against, e.g. "slices, 2048".
     std::int64_t facets = 0;
     int threads = 0;
-    double machine_rays_per_second = 0;    ///< Raw rays of this machine, same run. 0 = none.
     std::vector<ConvergencePoint> points;  ///< Ascending in per_facet within a method.
 };
 
-nlohmann::ordered_json ToJson(const Convergence& convergence);
+/// Its figures, the time that one method takes to the error of another, and both as plots.
+doc::Section ConvergenceSection(const Convergence& convergence);
 
 }  // namespace plumb

@@ -75,11 +75,16 @@ std::string TableHtml(const Table& table) {
         html += "<tr>";
         for (std::size_t c = 0; c < row.size(); ++c) {
             const double b = behind[c][r];
-            html += is_text(c) ? "<td class=\"text\"" : b == 0 ? "<td class=\"best\"" : "<td";
+            const std::string text = CellText(table.columns[c], row[c]);
+            constexpr int kNotBroken = 48;
+            html += is_text(c) && Characters(text) > kNotBroken ? "<td class=\"text wrap\""
+                    : is_text(c)                                ? "<td class=\"text\""
+                    : b == 0                                    ? "<td class=\"best\""
+                                                                : "<td";
             if (!std::isnan(b)) html += " style=\"background:" + HeatColor(b) + "\"";
             const std::string exact = Exact(NumberOf(row[c]));
             if (!exact.empty()) html += " data-value=\"" + exact + "\"";
-            html += ">" + Html(CellText(table.columns[c], row[c])) + "</td>";
+            html += ">" + Html(text) + "</td>";
         }
         html += "</tr>\n";
     }
@@ -99,9 +104,7 @@ std::string PictureHtml(const Picture& picture, const std::string& section) {
 std::string SectionHtml(const Section& section, PlotSheet& sheet) {
     std::string html = section.listed ? "<ul class=\"findings\">\n" : "";
     for (const std::string& sentence : section.sentences) {
-        const std::vector<Span> spans = SpansOf(sentence);
-        const bool code = spans.size() == 1 && spans[0].style == Style::kCode;
-        html += code             ? "<pre>" + Html(spans[0].text) + "</pre>\n"
+        html += IsCode(sentence) ? "<pre>" + Html(PlainText(sentence)) + "</pre>\n"
                 : section.listed ? "<li>" + SentenceHtml(sentence) + "</li>\n"
                                  : "<p>" + SentenceHtml(sentence) + "</p>\n";
     }

@@ -1,5 +1,6 @@
 // What people see of a table.
 #include <algorithm>
+#include <cmath>
 
 #include "core/names.h"
 #include "reports/render.h"
@@ -61,10 +62,10 @@ Table SideBySide(const Table& table, std::size_t across, std::size_t v) {
 
 std::vector<Table> Shown(const Table& table) {
     const auto holds = [&](std::size_t c) {
-        return table.rows.empty() ||
-               std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
-                   return !std::holds_alternative<std::monostate>(row[c]);
-               });
+        return std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+            return std::holds_alternative<std::string>(row[c]) ||
+                   std::isfinite(NumberOf(row[c]));
+        });
     };
     Table seen = table;
     seen.columns.clear();

@@ -81,7 +81,7 @@ std::string SectionText(const Section& section, const std::string& indent) {
     std::string text;
     for (const std::string& sentence : section.sentences) {
         const std::string plain = PlainText(sentence);
-        if (sentence == "`" + plain + "`") {
+        if (IsCode(sentence)) {
             text += indent + "  " + plain + "\n";
         } else {
             text +=

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fit/models/escape_of_alpha_and_v.h"
-#include "reports/fit_report_parts.h"
+#include "reports/fit_sections.h"
 #include "reports/text.h"
 
 namespace plumb {
@@ -36,9 +36,9 @@ const FormulaRecord* BetterOne(const FitReport& report, const FormulaRecord& rec
     for (const FormulaRecord& other : report.formulas) {
         // Constants that saw a map are no rival for constants that did not.
         if (record.held_out && other.fitted && !other.held_out) continue;
-        const double rms = parts::JudgedBy(other).rms;
-        if (!(rms < parts::JudgedBy(record).rms)) continue;
-        if (!best || rms < parts::JudgedBy(*best).rms) best = &other;
+        const double rms = fit_sections::JudgedBy(other).rms;
+        if (!(rms < fit_sections::JudgedBy(record).rms)) continue;
+        if (!best || rms < fit_sections::JudgedBy(*best).rms) best = &other;
     }
     return best;
 }
@@ -53,8 +53,8 @@ std::vector<std::string> CaveatsOf(const FitReport& report, const FormulaRecord&
     if (const FormulaRecord* better = BetterOne(report, record))
         caveats.push_back("\"" + better->name + "\" has less error on " +
                           (record.held_out ? "maps held out, " : "the same maps, ") +
-                          Digits(parts::JudgedBy(*better).rms, 4) + " against " +
-                          Digits(parts::JudgedBy(record).rms, 4) + ".");
+                          Digits(fit_sections::JudgedBy(*better).rms, 4) + " against " +
+                          Digits(fit_sections::JudgedBy(record).rms, 4) + ".");
     for (const LeastSquaresFit* fit : FitsOf(report, record)) {
         for (const FittedParameter& parameter : fit->parameters)
             if (parameter.at_bound) caveats.push_back(AtBound(record, parameter));

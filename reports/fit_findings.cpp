@@ -1,26 +1,16 @@
-// What the figures say, in sentences computed from them, and the tables of the first sections.
+// What the figures say, in sentences computed from them.
 #include <algorithm>
 #include <cmath>
 
 #include "reports/fit_caveats.h"
-#include "reports/fit_report_page.h"
-#include "reports/fit_report_parts.h"
-#include "reports/page.h"
+#include "reports/fit_sections.h"
 #include "reports/text.h"
 
-namespace plumb::page {
+namespace plumb::fit_sections {
 namespace {
-
-using parts::Find;
-using parts::JudgedBy;
 
 std::string Greek(const std::string& inputs) {
     return inputs == "alpha" ? "α" : inputs == "V" ? "V" : "α and V";
-}
-
-std::string Tile(const std::string& css, const std::string& figure, const std::string& text) {
-    return "<div class=\"tile " + css + "\"><b>" + figure + "</b><span>" + text +
-           "</span></div>\n";
 }
 
 /// The best formula that was never fitted to anything here, by its pooled RMS.
@@ -42,23 +32,23 @@ std::string Compared(double ours, double theirs, const std::string& than) {
 
 std::string RecommendedSentence(const FitReport& report, const FormulaRecord& ours) {
     const Score& score = ours.in_sample.pooled;
-    std::string text = "<b>" + Html(ours.name) + "</b> is recommended: it predicts E(ρ) from " +
-                       Greek(parts::Inputs(ours.formula.model, ", ")) +
-                       " with an RMS error of <b>" + Digits(score.rms) + "</b> over " +
-                       std::to_string(report.maps.size()) +
+    std::string text = "*" + doc::Verbatim(ours.name) +
+                       "* is recommended: it predicts E(ρ) from " +
+                       Greek(Inputs(ours.formula.model, ", ")) + " with an RMS error of *" +
+                       Digits(score.rms) + "* over " + std::to_string(report.maps.size()) +
                        (report.maps.size() == 1 ? " map" : " maps") + " (worst bin " +
                        Digits(score.max_abs) + ")";
     if (ours.held_out)
-        text += ", and of <b>" + Digits(ours.held_out->pooled.rms) +
-                "</b> on maps that it was not fitted to";
+        text += ", and of *" + Digits(ours.held_out->pooled.rms) +
+                "* on maps that it was not fitted to";
     return text + ".";
 }
 
 std::string PublishedSentence(const FormulaRecord& ours, const FormulaRecord& published) {
     const Score& theirs = published.in_sample.pooled;
-    std::string text = "The published formula (" + Html(published.name) +
-                       ") has an RMS error of <b>" + Digits(theirs.rms) +
-                       "</b> on the same data (worst bin " + Digits(theirs.max_abs) + "), " +
+    std::string text = "The published formula (" + doc::Verbatim(published.name) +
+                       ") has an RMS error of *" + Digits(theirs.rms) +
+                       "* on the same data (worst bin " + Digits(theirs.max_abs) + "), " +
                        Compared(JudgedBy(ours).rms, theirs.rms, "the recommended one's");
     if (ours.held_out) text += " on unseen maps";
     text += ".";
@@ -73,8 +63,8 @@ std::string PublishedSentence(const FormulaRecord& ours, const FormulaRecord& pu
 
 std::string UnfittedSentence(const FormulaRecord& ours, const FormulaRecord& unfitted) {
     const double us = JudgedBy(ours).rms, them = unfitted.in_sample.pooled.rms;
-    return "The best formula without any constant fitted here is <b>" + Html(unfitted.name) +
-           "</b>, RMS " + Digits(them) + ": " +
+    return "The best formula without any constant fitted here is *" +
+           doc::Verbatim(unfitted.name) + "*, RMS " + Digits(them) + ": " +
            (them < us ? "on surfaces it has not seen, the recommended formula does not beat it."
                       : Compared(us, them, "the recommended one's") +
                             (ours.held_out ? " on unseen maps." : "."));
@@ -82,14 +72,12 @@ std::string UnfittedSentence(const FormulaRecord& ours, const FormulaRecord& unf
 
 std::string FloorSentence(const FitReport& report, const FormulaRecord& ours) {
     return "Facet by facet, not bin by bin, the recommended formula errs by " +
-           Digits(parts::PooledFacetRms(ours)) +
-           ". No function of V alone can err by less than " +
-           Digits(parts::PooledFloor(report, &Floors::of_V)) +
+           Digits(PooledFacetRms(ours)) + ". No function of V alone can err by less than " +
+           Digits(PooledFloor(report, &Floors::of_V)) +
            " on these maps, none of α alone by "
            "less than " +
-           Digits(parts::PooledFloor(report, &Floors::of_alpha)) +
-           ", none of both by less than " +
-           Digits(parts::PooledFloor(report, &Floors::of_both)) + ".";
+           Digits(PooledFloor(report, &Floors::of_alpha)) + ", none of both by less than " +
+           Digits(PooledFloor(report, &Floors::of_both)) + ".";
 }
 
 std::string SpreadSentence(const FitReport& report, const FormulaRecord& ours) {
@@ -98,7 +86,7 @@ std::string SpreadSentence(const FitReport& report, const FormulaRecord& ours) {
         std::minmax_element(row.maps.begin(), row.maps.end(),
                             [](const Score& a, const Score& b) { return a.rms < b.rms; });
     const auto name = [&](auto at) {
-        return Html(report.maps[std::size_t(at - row.maps.begin())].name);
+        return doc::Verbatim(report.maps[std::size_t(at - row.maps.begin())].name);
     };
     return "It depends on the surface: the recommended formula's RMS runs from " +
            Digits(best->rms) + " (" + name(best) + ") to " + Digits(worst->rms) + " (" +
@@ -109,16 +97,16 @@ std::string CurveSentence(const CurveFit& curve) {
     std::vector<std::string> constants, published;
     for (std::size_t j = 0; j < curve.fit.parameters.size(); ++j) {
         const FittedParameter& parameter = curve.fit.parameters[j];
-        constants.push_back(Html(parameter.name) + " = " +
+        constants.push_back(doc::Verbatim(parameter.name) + " = " +
                             WithError(parameter.value, parameter.standard_error.value_or(0)) +
                             (parameter.at_bound ? " (at its bound)" : ""));
         if (curve.published) published.push_back(Exact(Rounded(curve.published->values[j], 5)));
     }
-    std::string text = "<b>" + Html(curve.title) + "</b> refitted: " + Listed(constants);
+    std::string text = "*" + doc::Verbatim(curve.title) + "* refitted: " + Listed(constants);
     if (curve.published) text += " (published " + Listed(published) + ")";
     text += "; RMS " + Digits(curve.fit.rmse);
     if (curve.published_score) text += " against " + Digits(curve.published_score->rms);
-    return text + (curve.fit.converged ? "." : ". <b>This fit did not converge.</b>");
+    return text + (curve.fit.converged ? "." : ". *This fit did not converge.*");
 }
 
 std::string EnergySentence(const FitReport& report) {
@@ -152,14 +140,14 @@ std::string FaultSentence(const FormulaFaults& faults) {
     std::string text;
     if (!poles.empty()) {
         const std::size_t shown = std::min<std::size_t>(poles.size(), 3);
-        text += "With the " + Html(faults.name) +
+        text += "With the " + doc::Verbatim(faults.name) +
                 " constants, eq. 12 of the paper has poles: " +
                 Listed({poles.begin(), poles.begin() + std::ptrdiff_t(shown)}) +
                 (shown < poles.size() ? " and more" : "") + ".";
     }
     for (const BrokenInterval& interval : faults.above_one)
-        text += (text.empty() ? "With the " + Html(faults.name) + " constants F<sub>0</sub>"
-                              : std::string(" F<sub>0</sub>")) +
+        text += (text.empty() ? "With the " + doc::Verbatim(faults.name) + " constants F₀"
+                              : std::string(" F₀")) +
                 " exceeds 1 for α between " + Exact(Rounded(interval.low, 4)) + " and " +
                 Exact(Rounded(interval.high, 4)) + ".";
     return text;
@@ -169,93 +157,49 @@ std::string UnconvergedSentence(const FitReport& report) {
     std::vector<std::string> names;
     for (const std::vector<CurveFit>* list : {&report.curves, &report.bounce_family})
         for (const CurveFit& curve : *list)
-            if (!curve.fit.converged) names.push_back(Html(curve.title));
+            if (!curve.fit.converged) names.push_back(curve.title);
     for (const TotalFit& total : report.totals)
-        if (!total.fit.converged) names.push_back(Html(total.formula));
-    return names.empty() ? ""
-                         : "Not converged, do not use their constants: " + Listed(names) + ".";
+        if (!total.fit.converged) names.push_back(total.formula);
+    return names.empty()
+               ? ""
+               : "Not converged, do not use their constants: " + doc::Verbatim(Listed(names)) +
+                     ".";
 }
 
-const TotalFit* TotalFitOf(const FitReport& report, const std::string& formula) {
-    for (const TotalFit& total : report.totals)
-        if (total.formula == formula) return &total;
-    return nullptr;
-}
-
-std::string ConstantsTable(const TotalFit& total) {
-    std::vector<std::vector<Cell>> rows;
-    for (const FittedParameter& parameter : total.fit.parameters) {
-        std::string interval = "–", over_maps = "–";
-        if (total.bootstrap)
-            for (const BootstrapInterval& one : total.bootstrap->parameters)
-                if (one.name == parameter.name) {
-                    interval = Digits(one.low, 4) + " … " + Digits(one.high, 4);
-                    over_maps = Digits(one.standard_error, 2);
-                }
-        rows.push_back(
-            {{Html(parameter.name), "", ""},
-             {Digits(parameter.value, 6), "best", ""},
-             {parameter.standard_error ? Digits(*parameter.standard_error, 2) : "–", "", ""},
-             {over_maps, "", ""},
-             {interval, "", ""},
-             {parameter.at_bound ? "at its bound" : "", "", ""}});
-    }
-    return Table({{"constant"},
-                  {"value [–]"},
-                  {"standard error, samples independent"},
-                  {"standard error over maps"},
-                  {"interval over maps"},
-                  {"", true}},
-                 rows);
-}
-
-std::string TotalFitHtml(const FitReport& report, const TotalFit& total) {
-    std::string html = "<h3>" + Html(total.formula) + "</h3>\n" + ConstantsTable(total);
-    html += "<p class=\"note\">" + Count(total.fit.samples) + " samples, RMS " +
-            Digits(total.fit.rmse) + ", worst " + Digits(total.fit.max_abs) +
-            ", condition number " + Digits(total.fit.condition, 2) + ", " +
-            std::to_string(total.fit.starts_agreeing) + " of " +
-            std::to_string(total.fit.starts) + " starts agree" +
-            (total.fit.converged ? "" : ", <b>did not converge</b>");
-    if (total.bootstrap)
-        html += ", " + std::to_string(total.bootstrap->replicates) +
-                " bootstrap replicates over maps";
-    html += ".";
-    for (const std::string& caveat : CaveatsOf(report, Find(report, total.formula)))
-        html += " <b>Beware:</b> " + Html(caveat);
-    return html + "</p>\n";
+std::vector<doc::Fact> Headlines(const FitReport& report, const FormulaRecord& ours,
+                                 const FormulaRecord& published) {
+    std::int64_t facets = 0;
+    for (const SurfaceReport& map : report.maps) facets += map.figures.facets;
+    const auto error = [](const char* key, std::string title, double rms) {
+        return doc::Fact{{.key = key, .title = std::move(title), .better = doc::Better::kLess},
+                         rms};
+    };
+    std::vector<doc::Fact> facts{
+        error("recommended_rms",
+              ours.held_out ? "RMS error of E(ρ), recommended formula, maps not fitted to"
+                            : "RMS error of E(ρ), recommended formula",
+              JudgedBy(ours).rms),
+        error("published_rms", "RMS error of E(ρ), published formula, same maps",
+              published.in_sample.pooled.rms),
+        {{.key = "facets", .title = "Facets simulated"}, facets}};
+    if (std::isfinite(PooledFacetRms(ours)))
+        facts.push_back(error("recommended_facet_rms", "RMS error a facet, recommended formula",
+                              PooledFacetRms(ours)));
+    if (!report.floors.empty())
+        facts.push_back(error("facet_floor",
+                              "RMS error a facet that no function of V goes below",
+                              PooledFloor(report, &Floors::of_V)));
+    return facts;
 }
 
 }  // namespace
 
-std::string Findings(const FitReport& report) {
-    const FormulaRecord& ours = Find(report, report.recommended);
-    const FormulaRecord& published = Find(report, report.published);
-
-    std::string tiles = "<div class=\"tiles\">\n";
-    tiles += Tile("ours", Digits(JudgedBy(ours).rms),
-                  ours.held_out ? "RMS error of E(ρ), recommended formula, maps not fitted to"
-                                : "RMS error of E(ρ), recommended formula");
-    tiles += Tile("published", Digits(published.in_sample.pooled.rms),
-                  "RMS error of E(ρ), published formula, same maps");
-    if (std::isfinite(parts::PooledFacetRms(ours)))
-        tiles += Tile("", Digits(parts::PooledFacetRms(ours)),
-                      "RMS error a facet, recommended formula" +
-                          (report.floors.empty()
-                               ? std::string()
-                               : "; no function of V can go below " +
-                                     Digits(parts::PooledFloor(report, &Floors::of_V))));
-    std::int64_t facets = 0;
-    for (const SurfaceReport& map : report.maps) facets += map.figures.facets;
-    tiles += Tile("", Count(facets),
-                  "facets simulated on " + std::to_string(report.maps.size()) +
-                      (report.maps.size() == 1 ? " map, " : " maps, ") +
-                      std::to_string(report.provenance.bounces) + " bounces");
-    tiles += "</div>\n";
-
+doc::Section Findings(const FitReport& report) {
+    const FormulaRecord &ours = RecordNamed(report, report.recommended),
+                        &published = RecordNamed(report, report.published);
     std::vector<std::string> sentences{RecommendedSentence(report, ours)};
     for (const std::string& caveat : CaveatsOf(report, ours))
-        sentences.push_back("<b>Beware:</b> " + Html(caveat));
+        sentences.push_back("*Beware:* " + doc::Verbatim(caveat));
     if (report.choice) sentences.push_back(ChoiceSentence(report));
     if (published.name != ours.name) sentences.push_back(PublishedSentence(ours, published));
     if (const FormulaRecord* unfitted = BestUnfitted(report))
@@ -268,34 +212,18 @@ std::string Findings(const FitReport& report) {
         sentences.push_back(FaultSentence(faults));
     sentences.push_back(EnergySentence(report));
     sentences.push_back(UnconvergedSentence(report));
-
-    std::string html = tiles + "<ul class=\"findings\">\n";
-    for (const std::string& sentence : sentences)
-        if (!sentence.empty()) html += "<li>" + sentence + "</li>\n";
-    return html +
-           "</ul>\n<p class=\"note\">E(ρ) is the light that arrives with all bounces at "
-           "albedo ρ, over what open ground receives: 0 is black, 1 is open ground, so an "
-           "error "
-           "of 0.01 is one hundredth of full light. α is the open share of the hemisphere's "
-           "solid angle, V the same weighted by the cosine; they are two different "
-           "numbers.</p>\n";
+    sentences.push_back(
+        "E(ρ) is the light that arrives with all bounces at albedo ρ, over what open ground "
+        "receives: 0 is black, 1 is open ground, so an error of 0.01 is one hundredth of full "
+        "light. α is the open share of the hemisphere's solid angle, V the same weighted by "
+        "the "
+        "cosine; they are two different numbers.");
+    std::erase(sentences, "");
+    return {.id = "findings",
+            .title = "Read this first",
+            .listed = true,
+            .sentences = std::move(sentences),
+            .facts = Headlines(report, ours, published)};
 }
 
-std::string Recommended(const FitReport& report) {
-    std::string html = "<pre>" + Html(report.recommended_text) + "</pre>\n";
-    if (const TotalFit* total = TotalFitOf(report, report.recommended))
-        html += TotalFitHtml(report, *total);
-    html +=
-        "<p class=\"note\">The first standard error takes every sample to be independent "
-        "and is too small; the second comes from drawing whole maps anew and is the one to "
-        "trust.</p>\n";
-    std::string others;
-    for (const TotalFit& total : report.totals)
-        if (total.formula != report.recommended) others += TotalFitHtml(report, total);
-    if (!others.empty())
-        html += "<details><summary>Constants of the other fitted totals</summary>\n" + others +
-                "</details>\n";
-    return html;
-}
-
-}  // namespace plumb::page
+}  // namespace plumb::fit_sections

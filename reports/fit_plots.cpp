@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/page.h"
-#include "reports/surface_html.h"
-#include "reports/text.h"
+#include "reports/histogram_plots.h"
 
-namespace plumb::page {
+namespace plumb::fit_sections {
 namespace {
 
 /// The next round number that is not below x.
@@ -16,19 +14,6 @@ double RoundUp(double x) {
     for (const double step : {1.0, 1.5, 2.0, 3.0, 5.0})
         if (step * decade >= x * (1 - 1e-12)) return step * decade;
     return 10 * decade;
-}
-
-std::string Strongest(const LeastSquaresFit& fit) {
-    double strongest = 0;
-    std::string text = "–";
-    for (Eigen::Index i = 0; i < fit.correlation.rows(); ++i)
-        for (Eigen::Index j = 0; j < i; ++j)
-            if (std::abs(fit.correlation(i, j)) > std::abs(strongest)) {
-                strongest = fit.correlation(i, j);
-                text = Html(fit.parameters[std::size_t(j)].name) + ", " +
-                       Html(fit.parameters[std::size_t(i)].name) + ": " + Digits(strongest, 3);
-            }
-    return text;
 }
 
 }  // namespace
@@ -55,26 +40,9 @@ LightPoint At(const BounceBin& bin, double rho) {
     return {UniformVisibility(bin.alpha), CosineVisibility(bin.V), Albedo(rho)};
 }
 
-PlotSeries Series(std::string label, Mark mark, std::string color, Column x, Column y,
-                  Column minus, Column high) {
-    return {.label = std::move(label),
-            .mark = mark,
-            .color = std::move(color),
-            .x = x,
-            .y = y,
-            .minus = minus,
-            .high = high,
-            .joined = false,
-            .shape = 0};
-}
-
-PlotView View(std::vector<std::pair<std::string, std::string>> keys) {
-    return {.keys = std::move(keys), .series = {}, .x = {}, .y = {}};
-}
-
 Axis ResidualAxis(std::string label, double largest) {
     const double reach = std::min(largest > 0 ? RoundUp(largest) : 0.01, 0.5);
-    return {.label = std::move(label), .low = -reach, .high = reach, .logarithmic = false};
+    return {.label = std::move(label), .low = -reach, .high = reach};
 }
 
 void TakeLargest(double& largest, double difference) {
@@ -96,44 +64,4 @@ std::vector<DrawnCurve> CurvesOf(const FitReport& report, int bounce) {
     return list;
 }
 
-std::string CurveTable(const std::vector<CurveFit>& curves) {
-    std::vector<std::vector<Cell>> rows;
-    for (const CurveFit& curve : curves)
-        for (std::size_t j = 0; j < curve.fit.parameters.size(); ++j) {
-            const FittedParameter& parameter = curve.fit.parameters[j];
-            std::vector<Cell> row{
-                {j == 0 ? Html(curve.title) : "", "", ""},
-                {Html(parameter.name), "", ""},
-                {WithError(parameter.value, parameter.standard_error.value_or(0)) +
-                     (parameter.at_bound ? " (at bound)" : ""),
-                 "best", ""},
-                {curve.published ? Exact(Rounded(curve.published->values[j], 5)) : "–", "",
-                 ""}};
-            if (j == 0) {
-                const std::vector<std::string> of_fit{
-                    Digits(curve.fit.rmse),
-                    Digits(curve.fit.max_abs),
-                    curve.published_score ? Digits(curve.published_score->rms) : "–",
-                    Digits(curve.fit.condition, 2),
-                    Strongest(curve.fit),
-                    curve.fit.converged ? "yes" : "<b>no</b>"};
-                for (const std::string& figure : of_fit) row.push_back({figure, "", ""});
-            } else {
-                row.resize(10);
-            }
-            rows.push_back(std::move(row));
-        }
-    return Table({{"fit"},
-                  {"constant", true},
-                  {"value ± standard error"},
-                  {"published"},
-                  {"RMS [–]"},
-                  {"worst [–]"},
-                  {"RMS published [–]"},
-                  {"condition"},
-                  {"strongest correlation"},
-                  {"converged"}},
-                 rows);
-}
-
-}  // namespace plumb::page
+}  // namespace plumb::fit_sections

@@ -8,7 +8,7 @@
 #include "reports/fit_report.h"
 #include "reports/plot.h"
 
-namespace plumb::page {
+namespace plumb::fit_sections {
 
 /// A histogram under the name by which the reader picks it.
 struct Choice {
@@ -25,10 +25,12 @@ std::vector<std::string> Names(const std::vector<Choice>& choices);
 /// Where a formula is evaluated for a bin: at its true means.
 LightPoint At(const BounceBin& bin, double rho = SurfaceFigures::kUnknown);
 
-PlotSeries Series(std::string label, Mark mark, std::string color, Column x, Column y,
-                  Column minus = {}, Column high = {});
-
-PlotView View(std::vector<std::pair<std::string, std::string>> keys);
+/// Not joined, of the first shape.
+inline PlotSeries Series(std::string label, Mark mark, std::string color, Column x, Column y,
+                         Column minus = {}, Column high = {}) {
+    return {std::move(label), mark,           std::move(color), std::move(x), std::move(y),
+            std::move(minus), std::move(high)};
+}
 
 /// A residual axis that holds every finite error up to 0.5; larger ones are cut off.
 Axis ResidualAxis(std::string label, double largest);
@@ -46,7 +48,4 @@ struct DrawnCurve {
 /// The curves fitted to E_`bounce`, and the published one.
 std::vector<DrawnCurve> CurvesOf(const FitReport& report, int bounce);
 
-/// Constants and diagnosis of each fit.
-std::string CurveTable(const std::vector<CurveFit>& curves);
-
-}  // namespace plumb::page
+}  // namespace plumb::fit_sections

@@ -1,20 +1,14 @@
-// What a fit says: one HTML page, one JSON document, tables for a spreadsheet and a terminal,
-// all from one struct.
+// What a fit says.
 //
-// Pure: a report is built from results and turned into text here. The same input gives the same
-// bytes; numbers in JSON and CSV have the digits that read back to the same double. Plots carry
-// six digits.
+// Pure: the same input gives the same document. Plots on a page carry six digits, JSON and CSV all.
 //
 // Source   the plots are those of [Mayaux18], with the published constants beside ours on the
 //          same data.
 // Symbols  alpha, V, E_k, E(rho) as in core/conventions.h; F0, F1 as in fit/models/direct_factor.h and
 //          fit/models/first_bounce.h.
-// Beware   A figure that was not measured is NaN: null in JSON, empty in CSV, a dash elsewhere.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -26,6 +20,7 @@
 #include "fit/scores.h"
 #include "reports/amplitude_sweep.h"
 #include "reports/convergence.h"
+#include "reports/document.h"
 #include "reports/form_choice.h"
 #include "reports/provenance.h"
 #include "reports/surface_report.h"
@@ -115,30 +110,15 @@ struct FitReport {
 /// published name that is no record, a total fit of no record.
 void Validate(const FitReport& report);
 
-/// Everything but the pictures.
-nlohmann::ordered_json ToJson(const FitReport& report);
+/// The record of that name: one that Validate() made sure of.
+const FormulaRecord& RecordNamed(const FitReport& report, const std::string& name);
 
-/// The same as the text of a file; see reports/json_text.h.
-std::string ToJsonText(const FitReport& report);
+/// All of it, or of a report of curves alone its constants. Tables that files are made of:
+/// "scores" (scores.csv: one row a formula and map, and one with the map "all") and "forms"
+/// (choice.csv).
+doc::Document DocumentOf(const FitReport& report);
 
-/// One page that needs nothing else: it opens offline.
-std::string ToHtml(const FitReport& report);
-
-/// formula, map, fitted, inputs, samples, rms, max_abs, poles, out_of_range, held_out_rms,
-/// held_out_max_abs, facet_rms; one line a formula and map, and one with the map "all".
-void WriteScoresCsv(std::ostream& out, const FitReport& report);
-
-/// fit, samples, constant, value, standard_error, bootstrap_standard_error, bootstrap_low,
-/// bootstrap_high, published, rms, published_rms, condition, converged, at_bound; one line a
-/// constant.
-void WriteConstantsCsv(std::ostream& out, const FitReport& report);
-
-/// form, constants, choosing_rms, reporting_rms, winner; one line a form. `choice` must be there.
-void WriteChoiceCsv(std::ostream& out, const FitReport& report);
-
-/// The constants with their error bars beside the published ones, the score table with what must
-/// be said of the recommended formula, and the choice among the forms, for a terminal of 100
-/// columns.
-void WriteTable(std::ostream& out, const FitReport& report);
+/// Of every fit, one row a constant (constants.csv).
+doc::Table ConstantsTable(const FitReport& report);
 
 }  // namespace plumb

@@ -2,20 +2,16 @@
 #include <algorithm>
 
 #include "reports/fit_plots.h"
-#include "reports/fit_report_page.h"
-#include "reports/fit_report_parts.h"
-#include "reports/page.h"
-#include "reports/surface_html.h"
+#include "reports/fit_sections.h"
+#include "reports/histogram_plots.h"
 #include "reports/text.h"
 
-namespace plumb::page {
+namespace plumb::fit_sections {
 namespace {
-
-using parts::Find;
 
 /// Recommended, published, and what the caller wants drawn.
 std::vector<const FormulaRecord*> Compared(const FitReport& report) {
-    std::vector<const FormulaRecord*> list{&Find(report, report.published)};
+    std::vector<const FormulaRecord*> list{&RecordNamed(report, report.published)};
     for (const FormulaRecord& record : report.formulas)
         if (record.plotted && record.name != report.published &&
             record.name != report.recommended)
@@ -35,14 +31,13 @@ struct TotalViews {
 
 TotalViews DrawTotal(const Choice& choice, const TotalColumns& columns,
                      const std::vector<std::size_t>& shown, const FormulaRecord& record,
-                     std::vector<std::pair<std::string, std::string>> keys, PlotSheet& sheet,
-                     double& largest) {
-    TotalViews views{View(keys), View(keys)};
+                     std::vector<std::pair<std::string, std::string>> keys, double& largest) {
+    TotalViews views{{.keys = keys}, {.keys = keys}};
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const std::size_t r = shown[i];
         const double rho = choice.histogram.albedos[r];
         const std::string color = ScaleColor(rho), label = "ρ = " + Exact(rho);
-        const Column y = BinColumn(sheet, choice.histogram, [&](const BounceBin& bin) {
+        const Column y = BinColumn(choice.histogram, [&](const BounceBin& bin) {
             const double predicted = record.formula(At(bin, rho));
             TakeLargest(largest, predicted - bin.total[r].mean);
             return predicted;
@@ -58,31 +53,33 @@ TotalViews DrawTotal(const Choice& choice, const TotalColumns& columns,
 
 }  // namespace
 
-std::string Totals(const FitReport& report, PlotSheet& sheet) {
-    const FormulaRecord& ours = Find(report, report.recommended);
+doc::Section Totals(const FitReport& report) {
+    const FormulaRecord& ours = RecordNamed(report, report.recommended);
     const std::vector<const FormulaRecord*> compared = Compared(report);
     const std::string over_V = "V", over_alpha = "α";
 
-    Plot value{.id = "total-recommended",
-               .title = "Recommended: " + ours.name,
-               .caption =
-                   "Dots: simulated light, mean of each bin. Lines of the same colour: "
-                   "the formula, evaluated at the bin's own mean α and V. A perfect "
-                   "formula runs through its dots; at ρ = 1 all must lie at 1.",
-               .x = {},
-               .y = {"E(ρ) [–, open ground = 1]", 0, 1.1},
-               .views = {}};
+    Plot value{
+        .id = "total-recommended",
+        .title = "Recommended: " + ours.name,
+        .caption =
+            "Dots: simulated light, mean of each bin. Lines of the same colour: "
+            "the formula, evaluated at the bin's own mean α and V. A perfect "
+            "formula runs through its dots; at ρ = 1 all must lie at 1.",
+        .x = {},
+        .y = {"E(ρ) [–, open ground = 1]", 0, 1.1},
+    };
     Plot value_compared = value;
     value_compared.id = "total-compared";
     value_compared.title = "To compare: the formula chosen above";
     value_compared.caption =
         "The same data under another formula. Lines that leave the frame go to a pole.";
-    Plot residual{.id = "total-recommended-residual",
-                  .title = "What the recommended formula leaves",
-                  .caption = "Formula minus simulation. Above 0 the formula is too bright.",
-                  .x = {},
-                  .y = {},
-                  .views = {}};
+    Plot residual{
+        .id = "total-recommended-residual",
+        .title = "What the recommended formula leaves",
+        .caption = "Formula minus simulation. Above 0 the formula is too bright.",
+        .x = {},
+        .y = {},
+    };
     Plot residual_compared = residual;
     residual_compared.id = "total-compared-residual";
     residual_compared.title = "What the other formula leaves";
@@ -97,17 +94,15 @@ std::string Totals(const FitReport& report, PlotSheet& sheet) {
         names = Names(choices);
         for (const Choice& choice : choices) {
             const std::vector<std::size_t> shown = PlottedAlbedos(choice.histogram.albedos);
-            TotalColumns columns{Abscissae(sheet, choice.histogram), {}};
+            TotalColumns columns{Abscissae(choice.histogram), {}};
             for (const std::size_t r : shown)
-                columns.data.push_back(
-                    BinColumn(sheet, choice.histogram,
-                              [&](const BounceBin& bin) { return bin.total[r].mean; }));
+                columns.data.push_back(BinColumn(
+                    choice.histogram, [&](const BounceBin& bin) { return bin.total[r].mean; }));
             const Axis x{AbscissaLabel(choice.histogram.binned_by), 0, 1};
             const auto draw = [&](const FormulaRecord& record, Plot& values, Plot& residuals,
                                   std::vector<std::pair<std::string, std::string>> keys) {
-                TotalViews views =
-                    DrawTotal(choice, columns, shown, record, std::move(keys), sheet,
-                              &record == &ours ? largest : largest_compared);
+                TotalViews views = DrawTotal(choice, columns, shown, record, std::move(keys),
+                                             &record == &ours ? largest : largest_compared);
                 views.value.x = views.residual.x = x;
                 values.views.push_back(std::move(views.value));
                 residuals.views.push_back(std::move(views.residual));
@@ -131,8 +126,12 @@ std::string Totals(const FitReport& report, PlotSheet& sheet) {
     const std::vector<std::string> over = ours.formula.model.inputs.V
                                               ? std::vector{over_V, over_alpha}
                                               : std::vector{over_alpha, over_V};
-    return sheet.Group(
-        {{"map", "Map", names}, {"over", "Over", over}, {"formula", "Compare with", formulas}},
-        {value, value_compared, residual, residual_compared});
+    return {.id = "totals",
+            .title = "All bounces: E(ρ)",
+            .plots = {{.selectors = {{"map", "Map", names},
+                                     {"over", "Over", over},
+                                     {"formula", "Compare with", formulas}},
+                       .plots = {value, value_compared, residual, residual_compared}}}};
 }
-}  // namespace plumb::page
+
+}  // namespace plumb::fit_sections

@@ -9,7 +9,6 @@
 //          told apart.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -32,7 +31,5 @@ struct FormChoice {
     /// How many forms have less error on the reporting half, plus one.
     int RankOnReporting(const FormScore& score) const;
 };
-
-nlohmann::ordered_json ToJson(const FormChoice& choice);
 
 }  // namespace plumb

@@ -19,8 +19,8 @@
 namespace plumb {
 
 struct Axis {
-    std::string label;  ///< With its unit.
-    std::optional<double> low, high;
+    std::string label = {};  ///< With its unit.
+    std::optional<double> low = {}, high = {};
     bool logarithmic = false;
 };
 
@@ -41,29 +41,29 @@ class Column {
 };
 
 struct PlotSeries {
-    std::string label;  ///< Empty = not in the legend.
+    std::string label = {};  ///< Empty = not in the legend.
     Mark mark = Mark::kLine;
-    std::string color;  ///< "#rrggbb"
-    Column x, y;
-    Column minus;         ///< If given, y - minus is drawn: a residual.
-    Column high;          ///< kBand: from y up to here.
+    std::string color = {};  ///< "#rrggbb"
+    Column x = {}, y = {};
+    Column minus = {};    ///< If given, y - minus is drawn: a residual.
+    Column high = {};     ///< kBand: from y up to here.
     bool joined = false;  ///< kDots: joined by a line.
     int shape = 0;        ///< kDots: circle, triangle, square, diamond, cross, and again.
 };
 
 /// One state of the selectors: values of some of their keys, and what is drawn then.
 struct PlotView {
-    std::vector<std::pair<std::string, std::string>> keys;
-    std::vector<PlotSeries> series;
-    std::optional<Axis> x, y;  ///< In place of the plot's.
+    std::vector<std::pair<std::string, std::string>> keys = {};
+    std::vector<PlotSeries> series = {};
+    std::optional<Axis> x = {}, y = {};  ///< In place of the plot's.
 };
 
 struct Plot {
     std::string id;
     std::string title;
-    std::string caption;  ///< How to read it. HTML.
-    Axis x, y;
-    std::vector<PlotView> views;
+    std::string caption = {};  ///< How to read it. HTML.
+    Axis x = {}, y = {};
+    std::vector<PlotView> views = {};
     bool wide = false;  ///< Takes the whole width of the page.
 };
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -41,8 +40,5 @@ struct Provenance {
     std::vector<double> albedos;  ///< rho of the totals.
     std::string weighting;        ///< Of the fits' samples; empty if nothing was fitted.
 };
-
-nlohmann::ordered_json ToJson(const MapSource& map);
-nlohmann::ordered_json ToJson(const Provenance& provenance);
 
 }  // namespace plumb

@@ -42,11 +42,16 @@ std::vector<Span> SpansOf(std::string_view sentence) {
         bool marked = false;
         for (const Mark& mark : kMarks) {
             if (!sentence.starts_with(mark.open)) continue;
-            const std::size_t begin = mark.open.size(), end = sentence.find(mark.close, begin);
-            if (end == std::string_view::npos || end == begin) continue;
+            std::size_t at = mark.open.size();
+            std::string text;
+            while (at < sentence.size() && !sentence.substr(at).starts_with(mark.close)) {
+                at += sentence[at] == '\\' && at + 1 < sentence.size();
+                text += sentence[at++];
+            }
+            if (at >= sentence.size() || text.empty()) continue;
             end_plain();
-            spans.push_back({mark.style, std::string(sentence.substr(begin, end - begin))});
-            sentence.remove_prefix(end + mark.close.size());
+            spans.push_back({mark.style, text});
+            sentence.remove_prefix(at + mark.close.size());
             marked = true;
             break;
         }
@@ -65,6 +70,11 @@ std::string PlainText(std::string_view sentence) {
         text += span.text;
     }
     return text;
+}
+
+bool IsCode(std::string_view sentence) {
+    const std::vector<Span> spans = SpansOf(sentence);
+    return spans.size() == 1 && spans[0].style == Style::kCode;
 }
 
 std::string SentenceHtml(std::string_view sentence) {

@@ -20,6 +20,9 @@ std::vector<Span> SpansOf(std::string_view sentence);
 /// For where there is but one kind of letter: "E_{k}" is "E_k".
 std::string PlainText(std::string_view sentence);
 
+/// Nothing but `code`: lines to be kept as they are.
+bool IsCode(std::string_view sentence);
+
 /// Everything escaped that is not of the markup.
 std::string SentenceHtml(std::string_view sentence);
 

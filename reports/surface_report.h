@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,8 +46,5 @@ struct SurfaceReport {
     BounceHistogram over_V;
     SurfaceFigures figures;
 };
-
-nlohmann::ordered_json ToJson(const SurfaceFigures& figures);
-nlohmann::ordered_json ToJson(const SurfaceReport& report);  ///< Without the pictures.
 
 }  // namespace plumb

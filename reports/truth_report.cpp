@@ -1,55 +1,50 @@
 #include "reports/truth_report.h"
 
-#include <iomanip>
-#include <nlohmann/json.hpp>
-
-#include "reports/json_text.h"
+#include "reports/columns.h"
 
 namespace plumb {
 
-std::string ToJsonText(const TruthReport& report) {
-    nlohmann::ordered_json json;
-    json["tool_version"] = report.tool_version;
-    json["command"] = report.command;
-    json["scene"] = {{"name", report.scene}, {"sha256", report.scene_sha256}};
-    json["camera"] = {{"name", report.camera},
-                      {"width_px", report.width_px},
-                      {"height_px", report.height_px}};
-    json["seed"] = report.seed;
-    json["nets"] = report.nets;
-    json["spp"] = report.spp;
-    json["stopped_by"] = report.stopped_by;
-    json["quantities"] = nlohmann::ordered_json::array();
+doc::Document DocumentOf(const TruthReport& report) {
+    doc::Table table{
+        .key = "quantities",
+        .columns = {doc::Name("name", "Quantity"), doc::Value("mean", "Mean", 5),
+                    doc::ErrorOf("rms_standard_error", "Standard error", 3,
+                                 "root mean square over pixels"),
+                    doc::ErrorOf("rms_below_95", "95 % interval, below", 3,
+                                 "from the value down to its end, root mean square"),
+                    doc::ErrorOf("rms_above_95", "above", 3,
+                                 "from the value up to its end, root mean square")}};
     for (const TruthQuantity& q : report.quantities) {
-        json["quantities"].push_back({{"name", q.name},
-                                      {"mean", q.mean},
-                                      {"rms_standard_error", q.rms_error},
-                                      {"rms_below_95", q.rms_below},
-                                      {"rms_above_95", q.rms_above}});
+        table.Add({q.name, q.mean, q.rms_error, q.rms_below, q.rms_above});
     }
-    json["pixels_that_show_a_surface"] = report.pixels_seen;
-    json["pixels_that_show_a_back"] = report.seen_from_behind;
-    json["zero_area_triangles_kept_out"] = report.zero_area_triangles;
-    json["lost_walks"] = report.lost_walks;
-    json["notes"] = report.notes;
-    return JsonText(json);
-}
-
-void WriteTable(std::ostream& out, const TruthReport& report) {
-    const auto flags = out.flags();
-    const auto precision = out.precision();
-    out << "quantity         mean  standard error (rms)  95 % interval (rms)\n" << std::fixed;
-    for (const TruthQuantity& q : report.quantities) {
-        out << std::left << std::setw(12) << q.name << std::right << std::setw(10)
-            << std::setprecision(5) << q.mean << std::setw(12) << std::setprecision(6)
-            << q.rms_error << "            -" << q.rms_below << " +" << q.rms_above << "\n";
+    doc::Section section{.id = "truth",
+                         .title = "Means over the pixels that show a surface",
+                         .listed = !report.notes.empty(),
+                         .tables = {std::move(table)}};
+    for (const std::string& note : report.notes) {
+        section.sentences.push_back("Note: " + doc::Verbatim(note) + ".");
     }
-    out << "\n"
-        << report.spp << " samples a pixel, stopped by " << report.stopped_by << "; lost walks "
-        << report.lost_walks << "\n";
-    for (const std::string& note : report.notes) out << "note: " << note << "\n";
-    out.flags(flags);
-    out.precision(precision);
+    const auto fact = [&](const char* key, const char* title, doc::Cell value) {
+        section.facts.push_back({{.key = key, .title = title}, std::move(value)});
+    };
+    fact("spp", "Samples a pixel", report.spp);
+    fact("stopped_by", "Stopped by", report.stopped_by);
+    fact("lost_walks", "Lost walks", report.lost_walks);
+    fact("nets", "Independent nets", report.nets);
+    fact("width_px", "Width, px", report.width_px);
+    fact("height_px", "Height, px", report.height_px);
+    fact("pixels_that_show_a_surface", "Pixels that show a surface", report.pixels_seen);
+    fact("pixels_that_show_a_back", "Pixels that show a back", report.seen_from_behind);
+    fact("zero_area_triangles_kept_out", "Triangles without area, kept out",
+         report.zero_area_triangles);
+    return {.kind = "truth",
+            .title = "Truth of " + report.scene,
+            .subtitle = "Path-traced, camera " + report.camera,
+            .provenance = {.version = report.tool_version,
+                           .command = report.command,
+                           .seed = report.seed,
+                           .inputs = {{report.scene, report.scene_sha256}}},
+            .sections = {std::move(section)}};
 }
 
 }  // namespace plumb

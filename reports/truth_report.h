@@ -5,9 +5,10 @@
 #pragma once
 
 #include <cstdint>
-#include <ostream>
 #include <string>
 #include <vector>
+
+#include "reports/document.h"
 
 namespace plumb {
 
@@ -38,7 +39,7 @@ struct TruthReport {
     std::vector<std::string> notes;
 };
 
-std::string ToJsonText(const TruthReport& report);
-void WriteTable(std::ostream& out, const TruthReport& report);
+/// One section.
+doc::Document DocumentOf(const TruthReport& report);
 
 }  // namespace plumb

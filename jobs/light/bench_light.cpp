@@ -9,6 +9,7 @@
 #include "heightfield/facet.h"
 #include "heightfield/ray_cast.h"
 #include "jobs/bench_facts.h"
+#include "jobs/light/amplitude_study.h"
 #include "jobs/light/convergence_study.h"
 #include "jobs/memory_copy.h"
 #include "rays/embree/embree_caster.h"
@@ -151,7 +152,7 @@ doc::Section BenchSimulations(const Surface& surface, const LightBenchSettings& 
                 double(light.link_bytes) / double(std::max<std::int64_t>(1, light.links));
             if (one.peak_bytes == 0) one.peak_bytes = peak_memory();
             double links_s = 0, bounces_s = 0;
-            for (const StageTiming& stage : timings.stages) {
+            for (const StageTiming& stage : timings) {
                 if (stage.stage == "links") links_s = stage.seconds;
                 if (stage.stage == "bounces") bounces_s = stage.seconds;
             }
@@ -212,27 +213,6 @@ doc::Section BenchStreams(const Surface& surface, const LightBenchSettings& s,
             .tables = {std::move(table)}};
 }
 
-doc::Section ConvergenceSection(const Convergence& c) {
-    using doc::Better, doc::Role;
-    doc::Table table{
-        .key = "convergence",
-        .columns = {
-            {.key = "method", .title = "Method", .role = Role::kName},
-            {.key = "per_facet", .title = "A facet", .role = Role::kName},
-            TimeColumn("time_s", "Time", "s"),
-            {.key = "rms_v", .title = "RMS error of V", .better = Better::kLess},
-            {.key = "max_abs_v", .title = "Largest error of V", .better = Better::kLess},
-            {.key = "rms_e_half", .title = "RMS error of E(1/2)", .better = Better::kLess}}};
-    for (const ConvergencePoint& p : c.points) {
-        table.Add({p.method, p.per_facet, p.seconds, p.rms_V, p.max_abs_V, p.rms_E_half});
-    }
-    return {.id = "convergence",
-            .title = "Error against time",
-            .sentences = {"The middle of the map, " + std::to_string(c.facets) +
-                          " facets, against " + doc::Verbatim(c.reference) + " a facet."},
-            .tables = {std::move(table)}};
-}
-
 }  // namespace
 
 doc::Document BenchLight(const Surface& surface, const LightBenchSettings& settings,
@@ -252,9 +232,10 @@ doc::Document BenchLight(const Surface& surface, const LightBenchSettings& setti
                          BenchStreams(surface, settings, run)};
     document.sections[0].facts = BenchFacts(ThreadCount(), settings.rounds);
     if (settings.study_convergence) {
-        document.sections.push_back(ConvergenceSection(
-            StudyConvergence(name, MiddleOf(field, kConvergenceTexels),
-                             {.rounds = settings.rounds}, run.clock, run.monitor)));
+        document.sections.push_back(ConvergenceSection(StudyConvergence(
+            NameOfMiddle(name, field, kConvergenceTexels), MiddleOf(field, kConvergenceTexels),
+            {.rounds = settings.rounds}, run.clock, run.monitor)));
+        document.sections.back().facts.clear();  // Threads are said above.
     }
     return document;
 }

@@ -28,11 +28,6 @@ std::string WeightingText(const SampleOptions& sampling) {
     return "by population over variance, every map the same";
 }
 
-const FormulaRecord& RecordNamed(const FitReport& report, const std::string& name) {
-    return *std::find_if(report.formulas.begin(), report.formulas.end(),
-                         [&](const FormulaRecord& record) { return record.name == name; });
-}
-
 }  // namespace
 
 FitConstantsResult FitConstants(std::span<const Surface> surfaces, const FitSettings& settings,
@@ -68,7 +63,7 @@ FitConstantsResult FitConstants(std::span<const Surface> surfaces, const FitSett
 
     const double fits_begin_s = run.clock();
     FitTotals(lights, settings, report, run.monitor);
-    report.timings.stages.push_back({"all maps", "fits", run.clock() - fits_begin_s});
+    report.timings.push_back({"all maps", "fits", run.clock() - fits_begin_s});
 
     report.recommended = std::string(EscapeOfAlphaAndV::kName) + ", refitted";
     report.recommended_text = std::string(EscapeOfAlphaAndV::kText);

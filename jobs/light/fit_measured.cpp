@@ -60,9 +60,9 @@ void CheckUnit(const Curves& curves, double open_ground, double slack) {
 Curves CurvesOf(const NumberTable& table, const MeasuredOptions& options) {
     const bool has_alpha = Has(table, "alpha");
     const BinAbscissa abscissa = options.abscissa;
-    const std::vector<double> x = Column(table, has_alpha ? "alpha" : "bin");
+    const std::vector<double> x = NumbersIn(table, has_alpha ? "alpha" : "bin");
     const std::vector<double> count =
-        Has(table, "count") ? Column(table, "count") : std::vector<double>(x.size(), 1);
+        Has(table, "count") ? NumbersIn(table, "count") : std::vector<double>(x.size(), 1);
     const double shift = abscissa == BinAbscissa::kLeft     ? 0
                          : abscissa == BinAbscissa::kCentre ? 0.5
                                                             : 1;
@@ -75,7 +75,7 @@ Curves CurvesOf(const NumberTable& table, const MeasuredOptions& options) {
     }
     curves.open_ground = OpenGround(table, options);
     for (int k = 0; Has(table, "E" + std::to_string(k)); ++k) {
-        const std::vector<double> all = Column(table, "E" + std::to_string(k));
+        const std::vector<double> all = NumbersIn(table, "E" + std::to_string(k));
         curves.E.emplace_back();
         for (const std::size_t row : rows)
             curves.E.back().push_back(all[row] / curves.open_ground);

@@ -1,5 +1,4 @@
 // The shader headers that follow from a fit report.
-#include <algorithm>
 #include <utility>
 
 #include "fit/models/escape_bent_of_v.h"
@@ -10,11 +9,6 @@
 
 namespace plumb {
 namespace {
-
-const FormulaRecord& RecordNamed(const FitReport& report, const std::string& name) {
-    return *std::find_if(report.formulas.begin(), report.formulas.end(),
-                         [&](const FormulaRecord& record) { return record.name == name; });
-}
 
 ShaderFormula ShaderFormulaOf(const FitReport& report, const FormulaRecord& record,
                               std::string function, std::string comment) {

@@ -44,7 +44,7 @@ std::array<std::vector<double>, 3> UniformAlbedos(const std::vector<double>& alb
 
 }  // namespace
 
-SimulateResult Simulate(const Surface& surface, const SimulateJob& job, const RunContext& run) {
+SimulateReport Simulate(const Surface& surface, const SimulateJob& job, const RunContext& run) {
     if (job.albedo.size() == 2) throw Error("--albedo: two numbers, must be one or three");
     for (const double rho : job.albedo) {
         if (!(rho >= 0 && rho <= 1)) throw Error(MustBe("--albedo", rho, "in [0, 1]"));
@@ -57,8 +57,7 @@ SimulateResult Simulate(const Surface& surface, const SimulateJob& job, const Ru
         albedo = UniformAlbedos(job.albedo, surface.field.Facets());
     }
 
-    SimulateResult result;
-    SimulateReport& report = result.report;
+    SimulateReport report;
     std::vector<std::vector<float>> bounces;
     std::array<std::vector<double>, 3> E;
     const SurfaceLight light =
@@ -95,8 +94,8 @@ SimulateResult Simulate(const Surface& surface, const SimulateJob& job, const Ru
                            nullptr, nullptr, run.monitor);
     }
     WritePictures(run.folder, surface.field, light.V, report.surface);
-    result.page = WriteSimulateResults(run.folder, report);
-    return result;
+    WriteHistograms(run.folder, report.surface);
+    return report;
 }
 
 }  // namespace plumb

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "core/run_context.h"
@@ -20,16 +19,11 @@ struct SimulateJob {
     bool write_maps = true;  ///< light.exr
 };
 
-struct SimulateResult {
-    SimulateReport report;
-    std::filesystem::path page;
-};
-
 /// Bounces that light.exr holds at most; the histograms hold all.
 inline constexpr int kMappedBounces = 20;
 
-/// Simulates and writes everything into the folder of the run. Throws Error if an albedo is outside [0, 1]
+/// Simulates and writes maps, histograms and pictures into the folder of the run. Throws Error if an albedo is outside [0, 1]
 /// or the albedo map has another size than the height map.
-SimulateResult Simulate(const Surface& surface, const SimulateJob& job, const RunContext& run);
+SimulateReport Simulate(const Surface& surface, const SimulateJob& job, const RunContext& run);
 
 }  // namespace plumb

@@ -21,7 +21,7 @@ class StopWatch {
 
     void Lap(const char* stage) {
         const double now_s = Now();
-        if (timings_ && clock_) timings_->stages.push_back({map_, stage, now_s - last_s_});
+        if (timings_ && clock_) timings_->push_back({map_, stage, now_s - last_s_});
         last_s_ = now_s;
     }
 

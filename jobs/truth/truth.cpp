@@ -7,12 +7,13 @@
 
 #include "core/error.h"
 #include "core/total_name.h"
+#include "io/data_uri.h"
 #include "io/image_io.h"
-#include "io/whole_file.h"
 #include "jobs/truth/truth_cache.h"
 #include "jobs/truth/truth_passes.h"
 #include "jobs/truth/truth_pictures.h"
 #include "jobs/truth/truth_state.h"
+#include "jobs/write_document.h"
 #include "rays/embree/embree_caster.h"
 
 namespace plumb {
@@ -68,11 +69,11 @@ const Image<float>* ChannelNamed(const std::vector<NamedChannel>& channels,
     return nullptr;
 }
 
-// A picture of the colour `name`, if it was measured.
-void WriteColourPreview(const std::filesystem::path& path,
-                        const std::vector<NamedChannel>& channels, const std::string& name) {
+// The colour `name` as a picture, if it was measured.
+std::optional<Image<Rgb>> ColourNamed(const std::vector<NamedChannel>& channels,
+                                      const std::string& name) {
     const Image<float>* red = ChannelNamed(channels, name + ".R");
-    if (red == nullptr) return;
+    if (red == nullptr) return {};
     Image<Rgb> image(red->Width(), red->Height());
     for (std::size_t c = 0; c < 3; ++c) {
         const Image<float>& of = *ChannelNamed(channels, name + "." + "RGB"[c]);
@@ -80,15 +81,13 @@ void WriteColourPreview(const std::filesystem::path& path,
             image.Pixels()[p][c] = of.Pixels()[p];
         }
     }
-    WritePreview(path, image);
+    return image;
 }
 
 void Write(TruthResult& result, const std::filesystem::path& folder, const LoadedScene& loaded,
            const TruthJob& job) {
     const TruthReport& report = result.report;
-    result.exr = folder / "truth.exr";
-    result.json = folder / "truth.json";
-    WriteExr(result.exr, result.channels,
+    WriteExr(folder / "truth.exr", result.channels,
              {{"plumb:version", report.tool_version},
               {"plumb:command", report.command},
               {"plumb:scene", loaded.scene.name},
@@ -97,12 +96,20 @@ void Write(TruthResult& result, const std::filesystem::path& folder, const Loade
               {"plumb:seed", std::to_string(job.seed)},
               {"plumb:spp", std::to_string(report.spp)},
               {"plumb:stopped_by", report.stopped_by}});
-    if (const Image<float>* V = ChannelNamed(result.channels, "V")) {
-        WritePreview(folder / "truth.png", *V);
+    result.document = DocumentOf(report);
+    const auto show = [&](const char* name, const auto* picture, const char* what) {
+        if (!picture) return;
+        WritePreview(folder / name, *picture);
+        result.document.sections[0].pictures.push_back(
+            {PngDataUri(folder / name), what, std::string(what) + "."});
+    };
+    show("truth.png", ChannelNamed(result.channels, "V"), "V, black 0 to white 1");
+    for (const char* name : {"irradiance", "beauty"}) {
+        const std::optional<Image<Rgb>> colour = ColourNamed(result.channels, name);
+        show((std::string("truth_") + name + ".png").c_str(), colour ? &*colour : nullptr,
+             name);
     }
-    WriteColourPreview(folder / "truth_irradiance.png", result.channels, "irradiance");
-    WriteColourPreview(folder / "truth_beauty.png", result.channels, "beauty");
-    WriteWholeFile(result.json, ToJsonText(report));
+    result.page = WriteDocument(folder, result.document, "truth");
 }
 
 }  // namespace

@@ -54,11 +54,13 @@ struct TruthResult {
     Lost lost;
     double seconds = 0;
     std::vector<NamedChannel> channels;  ///< Of truth.exr.
-    std::filesystem::path exr, json;
+    doc::Document document;              ///< Of the report, with pictures.
+    std::filesystem::path page;
     bool interrupted = false;
 };
 
-/// Measures and writes truth.exr, truth.json and pictures into `folder`. An interruption after
+/// Measures and writes truth.exr, truth.html, truth.json, truth.csv and pictures into the folder of
+/// the run. An interruption after
 /// the first pass writes what there is; before it, Interrupted is thrown.
 TruthResult MeasureTruth(const LoadedScene& loaded, const TruthJob& job, const RunContext& run);
 

@@ -58,7 +58,7 @@ for file in out/*; do
 done
 expect 0 '' "$plumb" fit make:bricks:24 make:cobbles:24 --slices 4 --no-studies --bootstrap 4 \
   --out fitted --quiet
-left fitted report.html report.json scores.csv constants.csv plumb_light.glsl plumb_light.hlsl \
+left fitted report.html report.json report.csv scores.csv constants.csv plumb_light.glsl plumb_light.hlsl \
   plumb_light.h
 ! grep -q "$dir" fitted/report.json || { echo "FAILED: a path of the machine in a report"; failed=1; }
 
@@ -79,7 +79,7 @@ before=$(cat out/fit/constants.csv)
 expect 0 '' "$plumb" simulate m1/wall.pfm --slices 4 --quiet
 left out/simulate report.html histogram_alpha.csv
 expect 0 '' "$plumb" fit --histogram out/simulate/histogram_alpha.csv --quiet
-left out/fit-histogram curves.json constants.csv
+left out/fit-histogram report.html report.json report.csv constants.csv
 [ "$before" = "$(cat out/fit/constants.csv)" ] || { echo "FAILED: another job's constants"; failed=1; }
 
 # A column alpha does not say what open ground receives.

@@ -12,7 +12,9 @@
 #include <sstream>
 
 #include "io/image_io.h"
+#include "reports/text.h"
 #include "tests/io/temp_folder.h"
+#include "tests/reports/page_reader.h"
 
 namespace plumb {
 namespace {
@@ -139,11 +141,13 @@ TEST_F(TruthCommand, ReportSaysWhatThePixelsSay) {
     PutBowl();
     ASSERT_EQ(Run("--spp 64"), 0);
     const auto channels = Channels();
-    const auto json = nlohmann::json::parse(Get("out/truth.json"));
-    EXPECT_EQ(json["spp"], 64);
-    EXPECT_EQ(json["pixels_that_show_a_surface"], kWidth * kHeight);
+    const auto json = nlohmann::ordered_json::parse(Get("out/truth.json"));
+    EXPECT_EQ(FactIn(json, "spp"), 64);
+    EXPECT_EQ(FactIn(json, "pixels_that_show_a_surface"), kWidth * kHeight);
+    const Rows page = TableOf(Get("out/truth.html"), {"Quantity"});
     int checked = 0;
-    for (const auto& q : json["quantities"]) {
+    const auto rows = TableIn(json, "quantities")["rows"];
+    for (const auto& q : rows) {
         const std::string name = q["name"];
         const std::size_t dot = name.find('.');
         const std::string base = name.substr(0, dot);
@@ -161,6 +165,10 @@ TEST_F(TruthCommand, ReportSaysWhatThePixelsSay) {
         EXPECT_NEAR(q["rms_below_95"], std::sqrt(below2 / kPixels), 1e-6) << name;
         EXPECT_NEAR(q["rms_above_95"], std::sqrt(above2 / kPixels), 1e-6) << name;
         ++checked;
+        EXPECT_EQ(page.at(std::size_t(checked))[0], name);
+        EXPECT_EQ(page.at(std::size_t(checked))[1], Digits(q["mean"].get<double>(), 5));
+        EXPECT_EQ(page.at(std::size_t(checked))[2],
+                  Digits(q["rms_standard_error"].get<double>()));
     }
     EXPECT_EQ(checked, 1 + 1 + 1 + 12 + 1 + 1 + 3 + 3);  // V, alpha, V_near, E_k, under_way ...
 }

@@ -80,7 +80,7 @@ status=$?
 [ $status -eq 137 ] || fail "status $status after kill -9"
 [ ! -e killed/truth.exr ] || fail "the run had ended before it was killed"
 "${run[@]}" --out killed --resume || fail "going on after kill -9"
-for name in truth.exr truth.json truth.png truth_irradiance.png truth_beauty.png; do
+for name in truth.exr truth.html truth.json truth.csv truth.png truth_irradiance.png truth_beauty.png; do
   cmp "whole/$name" "killed/$name" || fail "$name differs after kill -9 and --resume"
 done
 
@@ -88,7 +88,7 @@ done
 in_the_middle -INT stopped
 status=$?
 [ $status -eq 130 ] || fail "status $status after an interrupt, not 130"
-grep -q '"stopped_by": "interruption"' stopped/truth.json || fail "the reason is not in the report"
+grep -q '^truth,,stopped_by,,interruption,' stopped/truth.csv || fail "the reason is not in the report"
 "${run[@]}" --out stopped --resume || fail "going on after an interrupt"
 cmp whole/truth.exr stopped/truth.exr || fail "truth.exr differs after an interrupt and --resume"
 

@@ -24,7 +24,8 @@ TEST_F(Resume, GoesOnToTheSameBytesAfterKill9) {
     }
     EXPECT_GE(killed, 2);
     ASSERT_EQ(RunPlumb(Words(line + "killed"), {.folder = folder_}).status, 0);
-    for (const char* name : {"truth.exr", "truth.json", "truth.png"}) {
+    for (const char* name :
+         {"truth.exr", "truth.html", "truth.json", "truth.csv", "truth.png"}) {
         const std::string folder = std::string("whole/") + name;
         EXPECT_NE(Get(folder), "") << name;
         EXPECT_EQ(Get(folder), Get(std::string("killed/") + name)) << name;

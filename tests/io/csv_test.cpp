@@ -21,7 +21,7 @@ TEST(ParseCsv, ReadsNamesAndRows) {
     EXPECT_EQ(table.names, (std::vector<std::string>{"bin", "E0", "E1"}));
     EXPECT_EQ(table.rows, (std::vector<std::vector<double>>{{0, 0.04218207, 0.246685},
                                                             {1, 0.08699108, 9.155345e-05}}));
-    EXPECT_EQ(Column(table, "E1"), (std::vector<double>{0.246685, 9.155345e-05}));
+    EXPECT_EQ(NumbersIn(table, "E1"), (std::vector<double>{0.246685, 9.155345e-05}));
 }
 
 TEST(ParseCsv, ReadsOverWhatSpreadsheetsAdd) {
@@ -54,7 +54,7 @@ TEST(ParseCsv, NamesFileLineAndColumnOfWhatIsWrong) {
 }
 
 TEST(Column, NamesTheColumnsThatExist) {
-    EXPECT_EQ(MessageOf<Error>([] { Column(ParseCsv("a,b\n1,2\n", ""), "c"); }),
+    EXPECT_EQ(MessageOf<Error>([] { NumbersIn(ParseCsv("a,b\n1,2\n", ""), "c"); }),
               "column c is missing, there are a, b");
 }
 

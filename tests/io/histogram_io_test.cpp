@@ -108,14 +108,14 @@ TEST_F(HistogramIo, CsvHasARowPerBin) {
                                          "E_rho0p3333333333333333_p95"};
     EXPECT_EQ(table.names, names);
     const BounceBin last = Made().bins[2];
-    EXPECT_EQ(Column(table, "bin"), (std::vector<double>{0, 1, 2}));
-    EXPECT_EQ(Column(table, "count")[2], double(last.count));
-    EXPECT_EQ(Column(table, "V")[2], last.V);
-    EXPECT_EQ(Column(table, "E1")[2], last.bounce[1].mean);
-    EXPECT_EQ(Column(table, "E1_p05")[2], last.bounce[1].p05);
-    EXPECT_EQ(Column(table, "E1_p50")[2], last.bounce[1].p50);
-    EXPECT_EQ(Column(table, "E1_p95")[2], last.bounce[1].p95);
-    EXPECT_EQ(Column(table, "E_rho0p5_var")[2], last.total[0].variance);
+    EXPECT_EQ(NumbersIn(table, "bin"), (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(NumbersIn(table, "count")[2], double(last.count));
+    EXPECT_EQ(NumbersIn(table, "V")[2], last.V);
+    EXPECT_EQ(NumbersIn(table, "E1")[2], last.bounce[1].mean);
+    EXPECT_EQ(NumbersIn(table, "E1_p05")[2], last.bounce[1].p05);
+    EXPECT_EQ(NumbersIn(table, "E1_p50")[2], last.bounce[1].p50);
+    EXPECT_EQ(NumbersIn(table, "E1_p95")[2], last.bounce[1].p95);
+    EXPECT_EQ(NumbersIn(table, "E_rho0p5_var")[2], last.total[0].variance);
     EXPECT_EQ(Get("a.csv").substr(0, 44), "# Light on Bricks, \"old\", facets binned by V");
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "reports/render.h"
 #include "tests/closed_forms/analytic_fields.h"
 
 namespace plumb {
@@ -79,7 +80,7 @@ TEST(FitConstants, SameBytesOnOneThreadAndOnTwo) {
     std::vector<std::string> reports;
     for (const int threads : {1, 2}) {
         SetThreadCount(threads);
-        reports.push_back(ToJson(Fit(surfaces)).dump());
+        reports.push_back(ToJsonText(DocumentOf(Fit(surfaces))));
     }
     SetThreadCount(0);
     EXPECT_EQ(reports[0], reports[1]);

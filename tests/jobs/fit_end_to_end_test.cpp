@@ -10,6 +10,7 @@
 #include "jobs/light/amplitude_study.h"
 #include "jobs/light/convergence_study.h"
 #include "jobs/light/fit_constants.h"
+#include "reports/render.h"
 #include "reports/text.h"
 #include "tests/jobs/stepping_clock.h"
 #include "tests/reports/page_reader.h"
@@ -135,6 +136,7 @@ class FitEndToEnd : public testing::Test {
 // Expected: the five formulas as their papers print them, on bins cut here. Tolerance: sums in
 // another order.
 TEST_F(FitEndToEnd, ScoresOfFormulasInPrint) {
+    int shown = 0;
     struct Known {
         const char* name;
         ByHand f;
@@ -157,16 +159,18 @@ TEST_F(FitEndToEnd, ScoresOfFormulasInPrint) {
         EXPECT_NEAR(record.in_sample.pooled.rms, std::sqrt(squares / 4), 1e-9) << known.name;
         EXPECT_FALSE(record.fitted);
         // The table of the page: formula, reads, constants, RMS, held out, a facet ...
-        const Rows rows =
-            TableOf(ToHtml(*report), {"formula", "reads", "constants fitted", "RMS [–]"});
+        const Rows rows = TableOf(ToHtml(DocumentOf(*report)),
+                                  {"Formula", "", "Reads", "Constants fitted", "RMS ↓"});
         for (const auto& row : rows) {
             if (row[0] != known.name) continue;
-            EXPECT_EQ(row[1], known.over_V ? "V" : "α");
-            EXPECT_EQ(row[3], Digits(std::sqrt(squares / 4)));
-            EXPECT_EQ(row[4], row[3]);
-            EXPECT_EQ(row[5], Digits(std::sqrt(facet_squares / 4)));
+            EXPECT_EQ(row[2], known.over_V ? "V" : "α");
+            EXPECT_EQ(row[4], Digits(std::sqrt(squares / 4)));
+            EXPECT_EQ(row[5], row[4]);
+            EXPECT_EQ(row[6], Digits(std::sqrt(facet_squares / 4)));
+            ++shown;
         }
     }
+    EXPECT_EQ(shown, 5);
 }
 
 // Expected: of V, the scatter of the facets of a bin about its mean, bins of two facets or more;
@@ -275,9 +279,9 @@ TEST_F(FitEndToEnd, TheAmplitudesAreScoredByTheFormulasOfTheTable) {
                     1e-9);
         EXPECT_NE(point.recommended_rms, point.published_rms);
     }
-    const Rows rows = TableOf(ToHtml(*report), {"amplitude, of width"});
+    const Rows rows = TableOf(ToHtml(DocumentOf(*report)), {"Amplitude, of width"});
     ASSERT_EQ(rows.size(), 14u);
-    EXPECT_EQ(rows[0][5], "RMS recommended [–]");
+    EXPECT_EQ(rows[0][5], "RMS recommended ↓");
     for (std::size_t k = 0; k < 13; ++k) {
         EXPECT_EQ(rows[k + 1][5], Digits(report->amplitudes->points[k].recommended_rms));
         EXPECT_EQ(rows[k + 1][6], Digits(report->amplitudes->points[k].published_rms));

@@ -16,6 +16,7 @@
 #include "io/histogram_io.h"
 #include "io/image_io.h"
 #include "jobs/light/simulate.h"
+#include "jobs/write_document.h"
 #include "reports/text.h"
 #include "tests/reports/page_reader.h"
 
@@ -69,7 +70,7 @@ class SimulateEndToEnd : public testing::Test {
         job.albedo = {0.9, 0.5, 0};
         job.sweep_amplitude = true;
         double now_s = 100;
-        result = new SimulateResult(Simulate(*surface, job,
+        result = new SimulateReport(Simulate(*surface, job,
                                              {.version = "1.2.3",
                                               .command = "plumb simulate made",
                                               .clock = [&now_s] { return now_s += 0.25; },
@@ -80,6 +81,7 @@ class SimulateEndToEnd : public testing::Test {
                             {.bounce = [](int, std::span<const double> E_k) {
                                 bounces->emplace_back(E_k.begin(), E_k.end());
                             }}));
+        WriteDocument(*folder, DocumentOf(*result));
         html = new std::string(Slurp(*folder / "report.html"));
         json = new Json(Json::parse(Slurp(*folder / "report.json")));
     }
@@ -110,7 +112,7 @@ class SimulateEndToEnd : public testing::Test {
 
     inline static fs::path* folder;
     inline static Surface* surface;
-    inline static SimulateResult* result;
+    inline static SimulateReport* result;
     inline static std::vector<std::vector<double>>* bounces;
     inline static SurfaceLight* light;
     inline static std::string* html;
@@ -132,7 +134,7 @@ TEST_F(SimulateEndToEnd, HistogramsAreThoseOfTheFacets) {
                 if (std::min(int(abscissa[i] * kBins), kBins - 1) == b) members.push_back(i);
             }
             const auto cell = [&](const std::string& name) {
-                return Column(table, name)[std::size_t(b)];
+                return NumbersIn(table, name)[std::size_t(b)];
             };
             const auto of_members = [&](const std::vector<double>& all) {
                 std::vector<double> some;
@@ -167,7 +169,7 @@ TEST_F(SimulateEndToEnd, HistogramsAreThoseOfTheFacets) {
 
 // Expected: plain means over facets. Page, terminal and JSON say the same.
 TEST_F(SimulateEndToEnd, FiguresAreThoseOfTheFacets) {
-    const Json& figures = (*json)["surface"]["figures"];
+    const auto figure = [](const std::string& key) { return FactIn(*json, key); };
     const auto n = light->V.size();
     double slope = 0, aperture = 0, waits = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -184,31 +186,27 @@ TEST_F(SimulateEndToEnd, FiguresAreThoseOfTheFacets) {
         {"mean_first_bounce", Mean((*bounces)[1])},
         {"mean_slope_deg", slope / double(n) * 180 / 3.14159265358979323846},
         {"light_under_way", waits}};
-    EXPECT_EQ(figures["facets"], n);
+    EXPECT_EQ(figure("facets"), n);
     for (const auto& [name, value] : expected)
-        EXPECT_NEAR(figures[name].get<double>(), value, 1e-12 * (1 + value)) << name;
-    EXPECT_NEAR(figures["aperture"]["mean"].get<double>(), aperture / double(n), 1e-12);
-    EXPECT_LT(figures["max_furnace_error"].get<double>(), 1e-6);
+        EXPECT_NEAR(figure(name).get<double>(), value, 1e-12 * (1 + value)) << name;
+    EXPECT_NEAR(figure("aperture")["value"].get<double>(), aperture / double(n), 1e-12);
+    EXPECT_LT(figure("max_furnace_error").get<double>(), 1e-6);
 
-    std::ostringstream terminal;
-    WriteTable(terminal, result->report);
-    const auto said = [&](const std::string& name, const std::string& row, double value,
-                          int digits) {
+    const std::string terminal = ToTerminal(DocumentOf(*result));
+    const auto said = [&](const std::string& title, double value, int digits) {
         const std::string text = Digits(value, digits);
-        EXPECT_NE(html->find("<dt>" + name + "</dt><dd>" + text), std::string::npos)
-            << name << " " << text;
-        const std::string printed = terminal.str();
-        const std::size_t at = printed.find(row);
-        ASSERT_NE(at, std::string::npos) << row;
-        const std::string line = printed.substr(at, printed.find('\n', at) - at);
-        EXPECT_NE(line.find(" " + Digits(value, row.starts_with("mean s") ? 3 : 5)),
-                  std::string::npos)
-            << line;
+        const std::size_t tile = html->find(">" + title + "</span>");
+        ASSERT_NE(tile, std::string::npos) << title;
+        EXPECT_EQ(html->substr(html->rfind("<b>", tile) + 3, text.size()), text) << title;
+        const std::size_t at = terminal.find("  " + title + " ");
+        ASSERT_NE(at, std::string::npos) << title;
+        const std::string line = terminal.substr(at, terminal.find('\n', at) - at);
+        EXPECT_NE(line.find(" " + text), std::string::npos) << line;
     };
-    said("mean α", "mean uniform visibility", expected[0].second, 4);
-    said("mean V", "mean cosine visibility", expected[1].second, 4);
-    said("mean E<sub>1</sub>", "mean first bounce", expected[2].second, 4);
-    said("mean slope", "mean slope", expected[3].second, 3);
+    said("Mean α", expected[0].second, 5);
+    said("Mean V", expected[1].second, 5);
+    said("Mean E₁", expected[2].second, 5);
+    said("Mean slope", expected[3].second, 3);
 }
 
 // Expected: the plots draw the columns of the CSV, rounded to six digits; the share of a bin is
@@ -219,10 +217,10 @@ TEST_F(SimulateEndToEnd, PlotsShowTheHistograms) {
         const NumberTable table =
             ReadCsv(*folder / (over_alpha ? "histogram_alpha.csv" : "histogram_v.csv"));
         const Json keys{{"over", over_alpha ? "α" : "V"}};
-        const std::vector<double> count = Column(table, "count");
+        const std::vector<double> count = NumbersIn(table, "count");
         const auto filled = [&](const std::string& name) {
             std::vector<double> values;
-            const std::vector<double> all = Column(table, name);
+            const std::vector<double> all = NumbersIn(table, name);
             for (std::size_t b = 0; b < all.size(); ++b)
                 if (count[b] > 0) values.push_back(all[b]);
             return values;
@@ -260,28 +258,24 @@ TEST_F(SimulateEndToEnd, PlotsShowTheHistograms) {
                  filled(TotalName(Albedo(rho))), "totals");
         EXPECT_EQ(compared, 1 + 2 * 5 + kBounces + 3);
         // The JSON of the page has them with all digits.
-        const Json& histogram = (*json)["surface"][over_alpha ? "over_uniform_visibility"
-                                                              : "over_cosine_visibility"];
+        const Json histogram = TableIn(*json, over_alpha ? "over_alpha" : "over_v")["values"];
         const auto numbers = [](const Json& list) { return list.get<std::vector<double>>(); };
         EXPECT_EQ(numbers(histogram["count"]), filled("count"));
-        EXPECT_EQ(numbers(histogram["mean_uniform_visibility"]), filled("alpha"));
-        EXPECT_EQ(numbers(histogram["mean_cosine_visibility"]), filled("V"));
+        EXPECT_EQ(numbers(histogram["alpha"]), filled("alpha"));
+        EXPECT_EQ(numbers(histogram["v"]), filled("V"));
         EXPECT_EQ(numbers(histogram["low"]), filled("low"));
         for (std::size_t q = 0; q < QuantityNames().size(); ++q) {
             const std::string name = QuantityNames()[q];
-            const Json& spread =
-                q <= kBounces ? histogram["bounces"][q] : histogram["totals"][q - kBounces - 1];
-            EXPECT_EQ(numbers(spread["mean"]), filled(name));
-            EXPECT_EQ(numbers(spread["variance"]), filled(name + "_var"));
-            EXPECT_EQ(numbers(spread["p05"]), filled(name + "_p05"));
-            EXPECT_EQ(numbers(spread["p50"]), filled(name + "_p50"));
-            EXPECT_EQ(numbers(spread["p95"]), filled(name + "_p95"));
+            const std::string key = "e" + name.substr(1);
+            EXPECT_EQ(numbers(histogram[key]), filled(name));
+            for (const char* ending : {"_var", "_p05", "_p50", "_p95"})
+                EXPECT_EQ(numbers(histogram[key + ending]), filled(name + ending));
         }
         // And the histogram's own JSON.
         const BounceHistogram whole = ReadHistogramJson(
             *folder / (over_alpha ? "histogram_alpha.json" : "histogram_v.json"));
         EXPECT_EQ(whole.binned_by == BinnedBy::kUniformVisibility, over_alpha);
-        EXPECT_EQ(whole.bins.back().total[2].p95, Column(table, "E_rho0p9_p95").back());
+        EXPECT_EQ(whole.bins.back().total[2].p95, NumbersIn(table, "E_rho0p9_p95").back());
     }
 }
 
@@ -317,7 +311,7 @@ TEST_F(SimulateEndToEnd, ImagesHoldTheLightOfTheFacets) {
 // says. What the study must show [Mayaux18, "Effect of Maximum Height over the Curves"]: a flat
 // map is open, V falls with every step, and a very deep one is almost closed.
 TEST_F(SimulateEndToEnd, AmplitudesAreThoseOfTheStretchedMap) {
-    const Json& points = (*json)["amplitudes"]["points"];
+    const Json points = TableIn(*json, "amplitudes")["rows"];
     ASSERT_EQ(points.size(), 13u);
     const HeightField& field = surface->field;
     const double width_m =
@@ -336,29 +330,27 @@ TEST_F(SimulateEndToEnd, AmplitudesAreThoseOfTheStretchedMap) {
         const SurfaceLight here = SimulateSurface(
             "", HeightField(heights_m, field.SpacingXM(), field.SpacingYM(), Boundary::kMirror),
             Brief());
-        const Json& figures = points[k]["figures"];
+        const Json& figures = points[k];
         EXPECT_NEAR(figures["mean_cosine_visibility"].get<double>(), Mean(here.V), 1e-9);
         EXPECT_NEAR(figures["mean_uniform_visibility"].get<double>(), Mean(here.alpha), 1e-9);
     }
-    const Rows rows = TableOf(*html, {"amplitude, of width", "amplitude [m]", "mean α [–]"});
+    const Rows rows = TableOf(*html, {"Amplitude, of width", "Amplitude [m]", "Mean α"});
     ASSERT_EQ(rows.size(), 14u);
     double above = 1.1;
     for (std::size_t k = 0; k < 13; ++k) {
-        const Json& figures = points[k]["figures"];
+        const Json& figures = points[k];
         const double V = figures["mean_cosine_visibility"].get<double>();
         EXPECT_LT(V, above) << k;
         above = V;
         const std::vector<std::string>& row = rows[k + 1];
-        EXPECT_EQ(
-            row[0],
-            Exact(Rounded(100 * points[k]["amplitude_of_width"].get<double>(), 3)) + " %");
+        EXPECT_EQ(row[0], Digits(points[k]["amplitude_of_width"].get<double>()));
         EXPECT_EQ(row[1], Digits(points[k]["amplitude_m"].get<double>()));
-        EXPECT_EQ(row[2], Digits(figures["mean_uniform_visibility"].get<double>(), 4));
-        EXPECT_EQ(row[3], Digits(V, 4));
-        EXPECT_EQ(row[4], Digits(figures["mean_first_bounce"].get<double>(), 4));
+        EXPECT_EQ(row[2], Digits(figures["mean_uniform_visibility"].get<double>(), 5));
+        EXPECT_EQ(row[3], Digits(V, 5));
+        EXPECT_EQ(row[4], Digits(figures["mean_first_bounce"].get<double>(), 5));
     }
-    EXPECT_GT(points[0]["figures"]["mean_cosine_visibility"], 0.999);
-    EXPECT_LT(points[12]["figures"]["mean_cosine_visibility"], 0.1);
+    EXPECT_GT(points[0]["mean_cosine_visibility"], 0.999);
+    EXPECT_LT(points[12]["mean_cosine_visibility"], 0.1);
     // The plot of means and that of the first bounce draw the same points.
     const Json data = PlotDataOf(*html);
     const std::vector<double> x = SeriesOf(data, "amplitude-means", {}, "mean V", "x"),
@@ -366,14 +358,17 @@ TEST_F(SimulateEndToEnd, AmplitudesAreThoseOfTheStretchedMap) {
                               alpha = SeriesOf(data, "amplitude-means", {}, "mean α", "y"),
                               first = SeriesOf(data, "amplitude-means", {}, "mean E₁", "y");
     for (std::size_t k = 0; k < 13; ++k) {
-        const Json& figures = points[k]["figures"];
+        const Json& figures = points[k];
         EXPECT_NEAR(x[k], 100 * points[k]["amplitude_of_width"].get<double>(), 1e-5 * x[k]);
         EXPECT_NEAR(V[k], figures["mean_cosine_visibility"].get<double>(), 1e-5);
         EXPECT_NEAR(alpha[k], figures["mean_uniform_visibility"].get<double>(), 1e-5);
         EXPECT_NEAR(first[k], figures["mean_first_bounce"].get<double>(), 1e-5);
     }
     const std::vector<double> curve = SeriesOf(data, "amplitude-curves", {}, "10 %", "y");
-    const Json& means = points[6]["over_uniform_visibility"]["bounces"][1]["mean"];
+    const Json bins = TableIn(*json, "amplitude_histograms")["values"];
+    std::vector<Json> means;
+    for (std::size_t b = 0; b < bins["e1"].size(); ++b)
+        if (bins["amplitude_of_width"][b] == "10 %") means.push_back(bins["e1"][b]);
     ASSERT_EQ(curve.size(), means.size());
     for (std::size_t b = 0; b < curve.size(); ++b)
         EXPECT_NEAR(curve[b], means[b].get<double>(), 1e-5);
@@ -381,14 +376,14 @@ TEST_F(SimulateEndToEnd, AmplitudesAreThoseOfTheStretchedMap) {
 
 // The clock of this test moves on by 1/4 s at every look: a stage lies between two looks.
 TEST_F(SimulateEndToEnd, StagesLieBetweenTwoLooksAtTheClock) {
-    const Json& stages = (*json)["timings"]["stages"];
+    const Json stages = TableIn(*json, "stages")["rows"];
     ASSERT_EQ(stages.size(), 3u);
     for (const Json& stage : stages) EXPECT_EQ(stage["seconds"], 0.25);
     EXPECT_EQ(stages[0]["stage"], "links");
     EXPECT_EQ(stages[2]["stage"], "furnace");
-    EXPECT_EQ((*json)["provenance"]["sampling"]["per_facet"], 8);
-    EXPECT_EQ((*json)["provenance"]["bounces"], kBounces);
-    EXPECT_EQ((*json)["provenance"]["bins"], kBins);
+    EXPECT_EQ(FactIn(*json, "per_facet"), 8);
+    EXPECT_EQ(FactIn(*json, "bounces"), kBounces);
+    EXPECT_EQ(FactIn(*json, "bins"), kBins);
 }
 
 }  // namespace

@@ -52,7 +52,8 @@ class Truths : public TempFolder {
     }
 
     void ExpectSameFiles(const std::string& a, const std::string& b) const {
-        for (const char* name : {"/truth.exr", "/truth.json", "/truth.png"}) {
+        for (const char* name :
+             {"/truth.exr", "/truth.html", "/truth.json", "/truth.csv", "/truth.png"}) {
             EXPECT_FALSE(Get(a + name).empty()) << name;
             EXPECT_EQ(Get(a + name), Get(b + name)) << name;
         }

@@ -384,6 +384,8 @@ TEST(Sentence, MarksWhatItSaysAndNothingElse) {
     const std::string name = "*x* `y` z_{1} \\ ^{2}";
     EXPECT_EQ(SentenceHtml(Verbatim(name)), name);
     EXPECT_EQ(PlainText(Verbatim(name)), name);
+    EXPECT_EQ(SentenceHtml("*" + Verbatim(name) + "*"), "<em>" + name + "</em>");
+    EXPECT_EQ(SentenceHtml("*a\\*"), "*a*");
 }
 
 }  // namespace

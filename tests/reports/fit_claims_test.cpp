@@ -11,7 +11,9 @@
 #include "made_report.h"
 #include "reports/fit_caveats.h"
 #include "reports/fit_report.h"
+#include "reports/render.h"
 #include "reports/text.h"
+#include "tests/reports/page_reader.h"
 
 namespace plumb {
 namespace {
@@ -23,9 +25,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::string Terminal(const FitReport& report) {
-    std::ostringstream out;
-    WriteTable(out, report);
-    return out.str();
+    return ToTerminal(DocumentOf(report));
 }
 
 TEST(Caveats, NoneWhereThereIsNothingToSay) {
@@ -42,9 +42,12 @@ TEST(Caveats, NameABetterFormulaOfTheSameTable) {
     const std::string caveat =
         "\"cavity\" has less error on maps held out, 0.009300 against 0.01000.";
     EXPECT_THAT(CaveatsOf(report, report.formulas[0]), ElementsAre(caveat));
-    EXPECT_THAT(Terminal(report), HasSubstr("  Beware: " + caveat));
-    EXPECT_THAT(ToHtml(report), HasSubstr("<b>Beware:</b> " + Html(caveat)));
-    EXPECT_EQ(ToJson(report)["formulas"][0]["caveats"], Json::array({caveat}));
+    EXPECT_THAT(Terminal(report), HasSubstr("  - Beware: " + caveat));
+    EXPECT_THAT(ToHtml(DocumentOf(report)), HasSubstr("<em>Beware:</em> " + Html(caveat)));
+    const Json caveats = TableIn(ToJson(DocumentOf(report)), "caveats")["rows"];
+    ASSERT_EQ(caveats.size(), 1u);
+    EXPECT_EQ(caveats[0]["formula"], "escape of V");
+    EXPECT_EQ(caveats[0]["caveat"], caveat);
     // In sample the recommended one has 0.008: that a fitted one was not held out makes it no
     // rival.
     report.formulas[2].fitted = true;
@@ -91,11 +94,11 @@ TEST(Caveats, TellWhichInputIsNotRead) {
 // A value that its range holds is none of the data's: the page says so where it is first read.
 TEST(Constants, SayOnTheFirstScreenThatTheyStandAtABound) {
     FitReport report = MakeFitReport();
-    EXPECT_EQ(ToHtml(report).find("(at its bound)"), std::string::npos);
+    EXPECT_EQ(ToHtml(DocumentOf(report)).find("(at its bound)"), std::string::npos);
     FittedParameter& parameter = report.curves[1].fit.parameters[1];
     parameter.at_bound = true;
     parameter.standard_error.reset();
-    const std::string page = ToHtml(report);
+    const std::string page = ToHtml(DocumentOf(report));
     EXPECT_THAT(
         page.substr(0, page.find("The recommended formula</h2>")),
         HasSubstr(parameter.name + " = " + WithError(parameter.value, 0) + " (at its bound)"));
@@ -104,10 +107,9 @@ TEST(Constants, SayOnTheFirstScreenThatTheyStandAtABound) {
 TEST(Constants, SayInTheCsvWhichBoundHoldsThem) {
     FitReport report = MakeFitReport();
     report.curves[1].fit.parameters[1].at_bound = true;
-    std::ostringstream out;
-    WriteConstantsCsv(out, report);
-    EXPECT_THAT(out.str(), HasSubstr("converged,at_bound\n"));
-    std::istringstream in(out.str());
+    const std::string csv = ToCsv(ConstantsTable(report));
+    EXPECT_THAT(csv, HasSubstr("converged,at_bound\n"));
+    std::istringstream in(csv);
     int held = 0;
     for (std::string line; std::getline(in, line);) {
         if (!line.ends_with(",yes,yes")) continue;
@@ -131,31 +133,26 @@ FitReport WithChoice() {
 // behind it on the other: 0.0302 < 0.0313 < 0.033.
 TEST(Choice, IsToldEverywhereInTheSameFigures) {
     const FitReport report = WithChoice();
-    const std::string html = ToHtml(report);
+    const std::string html = ToHtml(DocumentOf(report));
     EXPECT_THAT(html,
-                HasSubstr("Of 3 forms, <b>escape alpha^c</b> wins on the choosing half of "
+                HasSubstr("Of 3 forms, <em>escape alpha^c</em> wins on the choosing half of "
                           "the maps (a and c; RMS held out 0.0172)."));
-    EXPECT_THAT(html, HasSubstr("its RMS is <b>0.0313</b>, rank 2."));
+    EXPECT_THAT(html, HasSubstr("its RMS is <em>0.0313</em>, rank 2."));
     EXPECT_THAT(html,
                 HasSubstr("The recommended form has 0.0181 on the choosing half and 0.0302 "
                           "on the other, rank 1."));
-    const Json json = ToJson(report)["choice"];
-    EXPECT_EQ(json["winner"], "escape alpha^c");
-    EXPECT_EQ(json["choosing_maps"], Json::array({"a", "c"}));
-    EXPECT_EQ(json["reporting_maps"], Json::array({"b"}));
-    EXPECT_EQ(json["forms"][1]["choosing_rms"], 0.0181);
-    EXPECT_EQ(json["forms"][1]["reporting_rms"], 0.0302);
-    std::ostringstream csv;
-    WriteChoiceCsv(csv, report);
-    EXPECT_EQ(csv.str(),
+    EXPECT_THAT(html, HasSubstr("On the other half (b), which"));
+    const Json forms = TableIn(ToJson(DocumentOf(report)), "forms")["rows"];
+    EXPECT_EQ(forms[1]["choosing_rms"], 0.0181);
+    EXPECT_EQ(forms[1]["reporting_rms"], 0.0302);
+    EXPECT_EQ(forms[2]["winner"], "yes");
+    EXPECT_EQ(ToCsv(doc::TableOf(DocumentOf(report), "forms")),
               "form,constants,choosing_rms,reporting_rms,winner\n"
               "cavity,0,0.021,0.033,no\n"
               "escape of V,2,0.0181,0.0302,no\n"
               "escape alpha^c,1,0.0172,0.0313,yes\n");
     EXPECT_THAT(Terminal(report),
-                testing::ContainsRegex("escape alpha\\^c < +1 +0.0172 +0.0313\n"
-                                       "< wins on the choosing half; rank 2 of 3 "
-                                       "on the other"));
+                testing::ContainsRegex("escape alpha\\^c +1 +0.01720 +0.03130 +yes\n"));
 }
 
 const Json& ColumnOf(const Json& data, const Json& series, const char* which) {
@@ -174,7 +171,7 @@ TEST(Poles, ThePlotShowsTheFormulaAsPrinted) {
     guarded.name = guarded.formula.name;
     report.formulas.push_back(guarded);
     report.published = guarded.name;
-    const std::string html = ToHtml(report);
+    const std::string html = ToHtml(DocumentOf(report));
     const std::string open = "<script type=\"application/json\" id=\"plumb-data\">";
     const std::size_t begin = html.find(open) + open.size();
     const Json data = Json::parse(html.substr(begin, html.find("</script>", begin) - begin));

@@ -1,5 +1,6 @@
-// Every figure of a fit report's page, CSV and terminal is that of its JSON. The report is made
-// (made_report.h) so that no two of its figures are the same.
+// Every figure of a fit's document, on its page, in JSON, CSV and terminal, is that of the report. The
+// report is made (made_report.h) so that no two of its figures are the same.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "made_report.h"
 #include "reports/fit_report.h"
+#include "reports/render.h"
 #include "reports/text.h"
 #include "tests/reports/page_reader.h"
 
@@ -17,280 +19,337 @@ namespace {
 using Json = nlohmann::ordered_json;
 using made::MakeFitReport;
 
-double Number(const Json& json) {
-    return json.is_null() ? std::nan("") : json.get<double>();
-}
-
 /// sqrt of the mean square.
-double Quadratic(const Json& list) {
+double Quadratic(const std::vector<double>& list) {
     double sum = 0;
-    for (const Json& x : list) sum += Number(x) * Number(x);
+    for (const double x : list) sum += x * x;
     return std::sqrt(sum / double(list.size()));
 }
 
 class FitFigures : public testing::Test {
   protected:
     const FitReport report = MakeFitReport();
-    const Json json = ToJson(report);
-    const std::string html = ToHtml(report);
+    const doc::Document document = DocumentOf(report);
+    const Json json = ToJson(document);
+    const std::string html = ToHtml(document);
+
+    /// The page's table of that key.
+    Rows Page(const std::string& key) const {
+        const std::size_t at = html.find("<table id=\"" + key + "\">");
+        EXPECT_NE(at, std::string::npos) << key;
+        return TableOf(html.substr(at), {});
+    }
+    Json RowsOf(const std::string& key) const { return TableIn(json, key)["rows"]; }
 };
 
-/// The JSON of a score that was held out, or of one that never saw a map.
-Json HeldOut(const Json& formula) {
-    if (!formula["held_out"].is_null()) return formula["held_out"];
-    return formula["fitted"].get<bool>() ? Json() : formula["in_sample"];
+const Score* HeldOut(const FormulaRecord& record) {
+    if (record.held_out) return &record.held_out->pooled;
+    return record.fitted ? nullptr : &record.in_sample.pooled;
 }
 
 TEST_F(FitFigures, TheSummaryOfScores) {
-    const Rows rows = TableOf(html, {"formula", "reads", "constants fitted", "RMS [–]"});
-    ASSERT_EQ(rows.size(), 1 + json["formulas"].size());
+    const Rows rows = Page("formulas");
+    const Json cells = RowsOf("formulas");
+    ASSERT_EQ(rows.size(), 1 + report.formulas.size());
+    ASSERT_EQ(cells.size(), report.formulas.size());
     for (std::size_t f = 0; f + 1 < rows.size(); ++f) {
-        const Json& formula = json["formulas"][f];
-        const Json in_sample = formula["in_sample"]["all"], held_out = HeldOut(formula)["all"];
+        const FormulaRecord& record = report.formulas[f];
+        const Score &in_sample = record.in_sample.pooled, &held_out = *HeldOut(record);
         const std::vector<std::string> expected{
-            rows[f + 1][0],
-            formula["formula"]["inputs"][0] == "uniform_visibility" ? "α" : "V",
-            formula["fitted"].get<bool>()
-                ? std::to_string(formula["formula"]["constants"].size())
-                : "–",
-            Digits(Number(in_sample["rms"])),
-            Digits(Number(held_out["rms"])),
-            Digits(Quadratic(formula["facet_rms"])),
-            Digits(Number(in_sample["max_abs"])),
-            Digits(Number(held_out["max_abs"])),
-            Count(in_sample["poles"].get<int>()),
-            Count(in_sample["out_of_range"].get<int>())};
+            Html(record.name),
+            f == 0   ? "recommended"
+            : f == 1 ? "published"
+                     : "",
+            record.formula.model.inputs.alpha ? "α" : "V",
+            record.fitted ? std::to_string(record.formula.values.size()) : "–",
+            Digits(in_sample.rms),
+            Digits(held_out.rms),
+            Digits(Quadratic(record.facet_rms)),
+            Digits(in_sample.max_abs),
+            Digits(held_out.max_abs),
+            Count(in_sample.poles),
+            Count(in_sample.out_of_range)};
         EXPECT_EQ(rows[f + 1], expected);
-        EXPECT_EQ(rows[f + 1][0], Html(formula["name"].get<std::string>()));
+        EXPECT_EQ(cells[f]["formula"], record.name);
+        EXPECT_EQ(cells[f]["rms"], in_sample.rms);
+        EXPECT_EQ(cells[f]["held_out_rms"], held_out.rms);
+        EXPECT_EQ(cells[f]["facet_rms"], Quadratic(record.facet_rms));
+        EXPECT_EQ(cells[f]["max_abs"], in_sample.max_abs);
+        EXPECT_EQ(cells[f]["held_out_max_abs"], held_out.max_abs);
+        EXPECT_EQ(cells[f]["poles"], in_sample.poles);
+        EXPECT_EQ(cells[f]["out_of_range"], in_sample.out_of_range);
     }
 }
 
-// Four tables of one form, one behind the other: RMS, held out, worst, facets with floors.
+// Four tables of one form: a row a formula, a column a map, and all of them; then the floors.
 TEST_F(FitFigures, TheScoresOfEveryMap) {
-    std::size_t at = html.find("<h3>Map by map</h3>");
-    const auto next = [&] {
-        at = html.find("<div class=\"tab\">", at + 1);
-        return TableOf(html.substr(at), {"formula"});
-    };
-    const auto expect = [&](const Rows& rows, const auto& of) {
-        ASSERT_GE(rows.size(), 1 + json["formulas"].size());
-        for (std::size_t f = 0; f < json["formulas"].size(); ++f) {
-            for (std::size_t m = 0; m < 2; ++m)
-                EXPECT_EQ(rows[f + 1].at(m + 1), Digits(of(json["formulas"][f], m)));
+    const auto expect = [&](const std::string& key, const auto& of) {
+        const Rows rows = Page("scores_" + key);
+        const Json cells = RowsOf("scores");
+        ASSERT_EQ(rows.size(), 1 + report.formulas.size()) << key;
+        EXPECT_EQ(rows[0].back(), "all ↓");
+        for (std::size_t f = 0; f < report.formulas.size(); ++f) {
+            const FormulaRecord& record = report.formulas[f];
+            ASSERT_EQ(rows[f + 1].size(), 4u);
+            for (std::size_t m = 0; m <= 2; ++m) {
+                const double x = of(record, m);
+                EXPECT_EQ(rows[f + 1][m + 1], Digits(x)) << key;
+                const Json& cell = cells[3 * f + m];
+                EXPECT_EQ(cell["formula"], record.name);
+                EXPECT_EQ(cell["map"], m < 2 ? report.maps[m].name : "all");
+                if (std::isnan(x)) {
+                    EXPECT_TRUE(cell[key].is_null());
+                } else {
+                    EXPECT_EQ(cell[key], x);
+                }
+            }
         }
     };
-    expect(next(), [](const Json& formula, std::size_t m) {
-        return Number(formula["in_sample"]["maps"][m]["rms"]);
+    const auto score = [](const ScoreRow& row, std::size_t m) {
+        return m < 2 ? row.maps[m] : row.pooled;
+    };
+    expect("rms",
+           [&](const FormulaRecord& r, std::size_t m) { return score(r.in_sample, m).rms; });
+    expect("held_out_rms", [&](const FormulaRecord& r, std::size_t m) {
+        return r.held_out ? score(*r.held_out, m).rms : std::nan("");
     });
-    expect(next(), [](const Json& formula, std::size_t m) {
-        return Number(HeldOut(formula)["maps"][m]["rms"]);
+    expect("max_abs", [&](const FormulaRecord& r, std::size_t m) {
+        return score(r.in_sample, m).max_abs;
     });
-    expect(next(), [](const Json& formula, std::size_t m) {
-        return Number(formula["in_sample"]["maps"][m]["max_abs"]);
+    expect("facet_rms", [&](const FormulaRecord& r, std::size_t m) {
+        return m < 2 ? r.facet_rms[m] : Quadratic(r.facet_rms);
     });
-    const Rows facets = next();
-    expect(facets,
-           [](const Json& formula, std::size_t m) { return Number(formula["facet_rms"][m]); });
-    const std::size_t n = json["formulas"].size();
-    ASSERT_EQ(facets.size(), n + 4);
+    const Rows floors = Page("floors");
+    ASSERT_EQ(floors.size(), 3u);
     for (std::size_t m = 0; m < 2; ++m) {
-        const Json& floors = json["floors"][m];
-        EXPECT_EQ(facets[n + 1][m + 1], Digits(Number(floors["of_uniform_visibility"])));
-        EXPECT_EQ(facets[n + 2][m + 1], Digits(Number(floors["of_cosine_visibility"])));
-        EXPECT_EQ(facets[n + 3][m + 1], Digits(Number(floors["of_both"])));
+        const Json row = RowsOf("floors")[m];
+        const Floors& expected = report.floors[m];
+        EXPECT_EQ(row["of_uniform_visibility"], expected.of_alpha);
+        EXPECT_EQ(row["of_cosine_visibility"], expected.of_V);
+        EXPECT_EQ(row["of_both"], expected.of_both);
+        EXPECT_EQ(floors[m + 1][1], Digits(expected.of_alpha));
+        EXPECT_EQ(floors[m + 1][2], Digits(expected.of_V));
+        EXPECT_EQ(floors[m + 1][3], Digits(expected.of_both));
     }
 }
 
-void ExpectCurves(const Rows& rows, const Json& curves) {
-    std::size_t r = 1;
-    for (const Json& curve : curves) {
-        const Json& fit = curve["fit"];
-        for (std::size_t j = 0; j < fit["parameters"].size(); ++j, ++r) {
-            const Json& parameter = fit["parameters"][j];
-            ASSERT_LT(r, rows.size());
-            const std::string name = parameter["name"];
-            EXPECT_EQ(rows[r][1], name);
-            EXPECT_EQ(rows[r][2], WithError(Number(parameter["value"]),
-                                            Number(parameter["standard_error"])));
-            EXPECT_EQ(rows[r][3],
-                      curve.contains("published")
-                          ? Exact(Rounded(Number(curve["published"]["constants"][name]), 5))
-                          : "–");
-            if (j > 0) continue;
-            EXPECT_EQ(rows[r][0], curve["title"]);
-            EXPECT_EQ(rows[r][4], Digits(Number(fit["rms"])));
-            EXPECT_EQ(rows[r][5], Digits(Number(fit["max_abs"])));
-            EXPECT_EQ(rows[r][6], curve.contains("published_score")
-                                      ? Digits(Number(curve["published_score"]["rms"]))
-                                      : "–");
-            EXPECT_EQ(rows[r][7], Digits(Number(fit["condition"]), 2));
-        }
-    }
-    EXPECT_EQ(r, rows.size());
+struct Known {
+    std::string title;
+    const LeastSquaresFit& fit;
+    const Formula* published;
+    double published_rms;
+    const BootstrapResult* bootstrap;
+};
+
+Known Of(const CurveFit& curve) {
+    return {curve.title, curve.fit, curve.published ? &*curve.published : nullptr,
+            curve.published_score ? curve.published_score->rms : std::nan(""), nullptr};
+}
+Known Of(const TotalFit& total) {
+    return {total.formula, total.fit, nullptr, std::nan(""),
+            total.bootstrap ? &*total.bootstrap : nullptr};
 }
 
-TEST_F(FitFigures, TheConstantsOfCurves) {
-    ExpectCurves(TableOf(html, {"fit", "constant", "value ± standard error"}), json["curves"]);
-    const std::size_t family = html.find("<summary>Constants of every bounce</summary>");
-    ExpectCurves(TableOf(html.substr(family), {"fit", "constant"}), json["bounce_family"]);
+/// The fields of a row of constants, every digit; empty = not known.
+std::vector<std::string> Fields(const Known& known, std::size_t j) {
+    const FittedParameter& p = known.fit.parameters[j];
+    const BootstrapInterval* over_maps =
+        known.bootstrap ? &known.bootstrap->parameters[j] : nullptr;
+    return {Csv(known.title),
+            std::to_string(known.fit.samples),
+            p.name,
+            Exact(p.value),
+            p.standard_error ? Exact(*p.standard_error) : "",
+            over_maps ? Exact(over_maps->standard_error) : "",
+            over_maps ? Exact(over_maps->low) : "",
+            over_maps ? Exact(over_maps->high) : "",
+            known.published ? Exact(known.published->values[j]) : "",
+            Exact(known.fit.rmse),
+            Exact(known.published_rms),
+            Exact(known.fit.condition),
+            known.fit.converged ? "yes" : "no",
+            p.at_bound ? "yes" : "no"};
 }
 
-TEST_F(FitFigures, TheConstantsOfTheTotal) {
-    const Rows rows = TableOf(html, {"constant", "value [–]"});
-    const Json& total = json["totals"][0];
-    ASSERT_EQ(rows.size(), 3u);
-    for (std::size_t j = 0; j < 2; ++j) {
-        const Json &parameter = total["fit"]["parameters"][j],
-                   &interval = total["bootstrap_over_maps"]["parameters"][j];
-        EXPECT_EQ(rows[j + 1][0], parameter["name"]);
-        EXPECT_EQ(rows[j + 1][1], Digits(Number(parameter["value"]), 6));
-        EXPECT_EQ(rows[j + 1][2], Digits(Number(parameter["standard_error"]), 2));
-        EXPECT_EQ(rows[j + 1][3], Digits(Number(interval["standard_error"]), 2));
-        EXPECT_EQ(rows[j + 1][4], Digits(Number(interval["low"]), 4) + " … " +
-                                      Digits(Number(interval["high"]), 4));
-    }
-    EXPECT_NE(html.find(Count(total["fit"]["samples"].get<int>()) + " samples, RMS " +
-                        Digits(Number(total["fit"]["rms"])) + ", worst " +
-                        Digits(Number(total["fit"]["max_abs"])) + ", condition number " +
-                        Digits(Number(total["fit"]["condition"]), 2) + ", 3 of 4 starts agree"),
-              std::string::npos);
-}
-
-std::vector<std::string> Cells(const std::string& line) {
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (const char c : line) {
-        if (c == '"') quoted = !quoted;
-        if (c == ',' && !quoted)
-            cells.emplace_back();
-        else
-            cells.back() += c;
-    }
-    return cells;
-}
-
-std::vector<std::vector<std::string>> CsvOf(void (*write)(std::ostream&, const FitReport&),
-                                            const FitReport& report) {
-    std::ostringstream out;
-    write(out, report);
-    std::istringstream in(out.str());
-    std::vector<std::vector<std::string>> rows;
-    for (std::string line; std::getline(in, line);) rows.push_back(Cells(line));
-    return rows;
-}
-
-TEST_F(FitFigures, TheCsvOfScores) {
-    const auto rows = CsvOf(&WriteScoresCsv, report);
-    std::size_t r = 1;
-    for (const Json& formula : json["formulas"]) {
-        for (std::size_t m = 0; m <= 2; ++m, ++r) {
-            const bool all = m == 2;
-            const Json& in_sample =
-                all ? formula["in_sample"]["all"] : formula["in_sample"]["maps"][m];
-            const Json held_out = formula["held_out"].is_null() ? Json()
-                                  : all                         ? formula["held_out"]["all"]
-                                        : formula["held_out"]["maps"][m];
-            const auto& row = rows.at(r);
-            EXPECT_EQ(row[4], std::to_string(in_sample["samples"].get<int>()));
-            EXPECT_EQ(row[5], Exact(Number(in_sample["rms"])));
-            EXPECT_EQ(row[6], Exact(Number(in_sample["max_abs"])));
-            EXPECT_EQ(row[7], std::to_string(in_sample["poles"].get<int>()));
-            EXPECT_EQ(row[8], std::to_string(in_sample["out_of_range"].get<int>()));
-            EXPECT_EQ(row[9], held_out.is_null() ? "" : Exact(Number(held_out["rms"])));
-            EXPECT_EQ(row[10], held_out.is_null() ? "" : Exact(Number(held_out["max_abs"])));
-            EXPECT_EQ(row[11], Exact(all ? Quadratic(formula["facet_rms"])
-                                         : Number(formula["facet_rms"][m])));
-        }
-    }
-    EXPECT_EQ(r, rows.size());
+std::string Joined(const std::vector<std::string>& fields) {
+    std::string line;
+    for (const std::string& field : fields) line += (line.empty() ? "" : ",") + field;
+    return line;
 }
 
 TEST_F(FitFigures, TheCsvOfConstants) {
-    const auto rows = CsvOf(&WriteConstantsCsv, report);
-    std::size_t r = 1;
-    const auto expect = [&](const std::string& name, const Json& fit, const Json& published,
-                            const Json& published_rms, const Json& intervals) {
-        for (std::size_t j = 0; j < fit["parameters"].size(); ++j, ++r) {
-            const Json& parameter = fit["parameters"][j];
-            const std::string constant = parameter["name"];
-            const auto& row = rows.at(r);
-            if (name.find(',') == std::string::npos) {
-                EXPECT_EQ(row[0], name);
-            }
-            EXPECT_EQ(row[1], std::to_string(fit["samples"].get<int>()));
-            EXPECT_EQ(row[2], constant);
-            EXPECT_EQ(row[3], Exact(Number(parameter["value"])));
-            EXPECT_EQ(row[4], Exact(Number(parameter["standard_error"])));
-            const auto of = [&](const char* key) {
-                return intervals.is_null() ? "" : Exact(Number(intervals[j][key]));
-            };
-            EXPECT_EQ(row[5], of("standard_error"));
-            EXPECT_EQ(row[6], of("low"));
-            EXPECT_EQ(row[7], of("high"));
-            EXPECT_EQ(row[8], published.is_null() ? "" : Exact(Number(published[constant])));
-            EXPECT_EQ(row[9], Exact(Number(fit["rms"])));
-            EXPECT_EQ(row[10], published_rms.is_null() ? "" : Exact(Number(published_rms)));
-            EXPECT_EQ(row[11], Exact(Number(fit["condition"])));
+    std::istringstream lines(ToCsv(ConstantsTable(report)));
+    std::string line;
+    ASSERT_TRUE(std::getline(lines, line));
+    const auto expect = [&](const Known& known) {
+        for (std::size_t j = 0; j < known.fit.parameters.size(); ++j) {
+            ASSERT_TRUE(std::getline(lines, line));
+            EXPECT_EQ(line, Joined(Fields(known, j)));
         }
     };
-    for (const char* list : {"curves", "bounce_family"}) {
-        for (const Json& curve : json[list]) {
-            const bool known = curve.contains("published");
-            expect(curve["title"], curve["fit"],
-                   known ? curve["published"]["constants"] : Json(),
-                   known ? curve["published_score"]["rms"] : Json(), Json());
-        }
-    }
-    for (const Json& total : json["totals"])
-        expect(total["formula"], total["fit"], Json(), Json(),
-               total["bootstrap_over_maps"]["parameters"]);
-    EXPECT_EQ(r, rows.size());
+    for (const CurveFit& curve : report.curves) expect(Of(curve));
+    for (const CurveFit& curve : report.bounce_family) expect(Of(curve));
+    for (const TotalFit& total : report.totals) expect(Of(total));
+    EXPECT_FALSE(std::getline(lines, line));
 }
 
-TEST_F(FitFigures, TheTerminal) {
-    std::ostringstream out;
-    WriteTable(out, report);
-    std::istringstream in(out.str());
+// What the page shows of the same, rounded; columns that hold nothing are not there.
+TEST_F(FitFigures, TheConstantsOnThePage) {
+    const auto expect = [&](const std::string& key, const std::vector<Known>& fits,
+                            bool published, bool bootstrap) {
+        const Rows rows = Page(key);
+        std::size_t r = 1;
+        for (const Known& known : fits) {
+            for (std::size_t j = 0; j < known.fit.parameters.size(); ++j, ++r) {
+                ASSERT_LT(r, rows.size()) << key;
+                const FittedParameter& p = known.fit.parameters[j];
+                std::vector<std::string> expected{known.title, p.name, Digits(p.value, 6),
+                                                  Digits(*p.standard_error, 2)};
+                if (bootstrap) {
+                    const BootstrapInterval& over_maps = known.bootstrap->parameters[j];
+                    expected.insert(expected.end(),
+                                    {Digits(over_maps.standard_error, 2),
+                                     Digits(over_maps.low, 4), Digits(over_maps.high, 4)});
+                }
+                if (published) {
+                    expected.push_back(known.published ? Digits(known.published->values[j], 5)
+                                                       : "–");
+                }
+                expected.push_back(Digits(known.fit.rmse));
+                if (published) expected.push_back(Digits(known.published_rms));
+                expected.insert(expected.end(), {Digits(known.fit.condition, 2), "yes", "no"});
+                EXPECT_EQ(rows[r], expected) << key;
+            }
+        }
+        EXPECT_EQ(r, rows.size()) << key;
+    };
+    std::vector<Known> curves, family;
+    for (const CurveFit& curve : report.curves) curves.push_back(Of(curve));
+    for (const CurveFit& curve : report.bounce_family) family.push_back(Of(curve));
+    expect("curve_constants", curves, true, false);
+    expect("bounce_constants", family, false, false);
+    expect("recommended_constants", {Of(report.totals[0])}, false, true);
+}
+
+TEST_F(FitFigures, HowEachFitWent) {
+    const Json rows = RowsOf("fits"), pairs = RowsOf("correlations");
+    std::size_t r = 0, c = 0;
+    const auto expect = [&](const Known& known, const Json& bounce) {
+        const Json& row = rows.at(r++);
+        EXPECT_EQ(row["fit"], known.title);
+        EXPECT_EQ(row["bounce"], bounce);
+        EXPECT_EQ(row["samples"], known.fit.samples);
+        EXPECT_EQ(row["rms"], known.fit.rmse);
+        EXPECT_EQ(row["max_abs"], known.fit.max_abs);
+        EXPECT_EQ(row["chi2_per_dof"], known.fit.chi2_per_dof);
+        EXPECT_EQ(row["condition_unscaled"], known.fit.condition_unscaled);
+        EXPECT_EQ(row["iterations"], known.fit.iterations);
+        EXPECT_EQ(row["starts"], 4);
+        EXPECT_EQ(row["starts_agreeing"], 3);
+        EXPECT_EQ(row["termination"], "by hand");
+        if (known.bootstrap) {
+            EXPECT_EQ(row["replicates"], 100);
+        } else {
+            EXPECT_TRUE(row["replicates"].is_null());
+        }
+        for (std::size_t i = 0; i < known.fit.parameters.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j, ++c) {
+                const Json& pair = pairs.at(c);
+                EXPECT_EQ(pair["fit"], known.title);
+                EXPECT_EQ(pair["constant"], known.fit.parameters[j].name);
+                EXPECT_EQ(pair["other"], known.fit.parameters[i].name);
+                EXPECT_EQ(pair["correlation"], i == 1 ? -0.75 : 0.0);
+            }
+        }
+    };
+    for (const CurveFit& curve : report.curves) expect(Of(curve), curve.bounce);
+    for (const CurveFit& curve : report.bounce_family) expect(Of(curve), curve.bounce);
+    for (const TotalFit& total : report.totals) expect(Of(total), nullptr);
+    EXPECT_EQ(r, rows.size());
+    EXPECT_EQ(c, pairs.size());
+    EXPECT_EQ(rows[0]["published_max_abs"], 0.1);
+}
+
+TEST_F(FitFigures, TheCsvOfScores) {
+    std::istringstream lines(ToCsv(doc::TableOf(document, "scores")));
     std::string line;
-    while (std::getline(in, line) && !line.starts_with("formula ")) {
+    ASSERT_TRUE(std::getline(lines, line));
+    for (const FormulaRecord& record : report.formulas) {
+        for (std::size_t m = 0; m <= 2; ++m) {
+            ASSERT_TRUE(std::getline(lines, line));
+            const Score& s = m < 2 ? record.in_sample.maps[m] : record.in_sample.pooled;
+            const Score* held_out = !record.held_out ? nullptr
+                                    : m < 2          ? &record.held_out->maps[m]
+                                                     : &record.held_out->pooled;
+            EXPECT_EQ(line,
+                      Joined({Csv(record.name), Csv(m < 2 ? report.maps[m].name : "all"),
+                              record.fitted ? "yes" : "no",
+                              record.formula.model.inputs.alpha ? "alpha" : "V",
+                              std::to_string(s.samples), Exact(s.rms), Exact(s.max_abs),
+                              std::to_string(s.poles), std::to_string(s.out_of_range),
+                              held_out ? Exact(held_out->rms) : "",
+                              held_out ? Exact(held_out->max_abs) : "",
+                              Exact(m < 2 ? record.facet_rms[m] : Quadratic(record.facet_rms)),
+                              held_out ? std::to_string(held_out->samples) : "",
+                              held_out ? std::to_string(held_out->poles) : "",
+                              held_out ? std::to_string(held_out->out_of_range) : ""}));
+        }
     }
-    for (const Json& formula : json["formulas"]) {
-        ASSERT_TRUE(std::getline(in, line));
-        const Json& all = formula["in_sample"]["all"];
-        const std::string held_out = formula["held_out"].is_null()
-                                         ? "–"
-                                         : Digits(Number(formula["held_out"]["all"]["rms"]));
-        // From the right: poles, facets, held out, max, RMS.
-        std::istringstream words(line.substr(56));
-        std::vector<std::string> cells;
-        for (std::string word; words >> word;) cells.push_back(word);
-        EXPECT_EQ(cells, (std::vector<std::string>{Digits(Number(all["rms"])),
-                                                   Digits(Number(all["max_abs"])), held_out,
-                                                   Digits(Quadratic(formula["facet_rms"])),
-                                                   std::to_string(all["poles"].get<int>())}));
+    EXPECT_FALSE(std::getline(lines, line));
+}
+
+// The lines of the terminal's table of formulas, put together where it is broken.
+TEST_F(FitFigures, TheTerminal) {
+    const std::string terminal = ToTerminal(document);
+    const std::size_t begin = terminal.find("Every formula on every map"),
+                      end = terminal.find("The paper's curves", begin);
+    for (const FormulaRecord& record : report.formulas) {
+        std::istringstream in(terminal.substr(begin, end - begin));
+        std::string line, all;
+        while (std::getline(in, line))
+            if (line.starts_with("  " + record.name + "  ")) all += line + " ";
+        const Score& s = record.in_sample.pooled;
+        for (const double x :
+             {s.rms, s.max_abs, HeldOut(record)->rms, Quadratic(record.facet_rms)})
+            EXPECT_THAT(all, testing::HasSubstr(" " + Digits(x) + " ")) << record.name;
+        EXPECT_THAT(all, testing::HasSubstr(" " + std::to_string(s.poles) + " "));
     }
 }
 
 TEST_F(FitFigures, ErrorAgainstTime) {
-    const Rows rows = TableOf(html, {"method", "a facet", "time [s]"});
-    const Json& points = json["convergence"]["points"];
+    const std::vector<ConvergencePoint>& points = report.convergence->points;
+    const Rows rows = Page("convergence");
+    const Json cells = RowsOf("convergence");
     ASSERT_EQ(rows.size(), points.size() + 1);
     const Json data = PlotDataOf(html);
     std::vector<double> seconds, rms_V, rms_E, counts;
     for (std::size_t p = 0; p < points.size(); ++p) {
-        const Json& point = points[p];
-        EXPECT_EQ(rows[p + 1], (std::vector<std::string>{
-                                   point["method"], Count(point["per_facet"].get<int>()),
-                                   Digits(Number(point["seconds"])),
-                                   Digits(Number(point["rms_cosine_visibility"])),
-                                   Digits(Number(point["max_abs_cosine_visibility"])),
-                                   Digits(Number(point["rms_total_half_albedo"]))}));
-        if (point["method"] != "rays") continue;
-        seconds.push_back(Number(point["seconds"]));
-        counts.push_back(Number(point["per_facet"]));
-        rms_V.push_back(Number(point["rms_cosine_visibility"]));
-        rms_E.push_back(Number(point["rms_total_half_albedo"]));
+        const ConvergencePoint& point = points[p];
+        EXPECT_EQ(rows[p + 1],
+                  (std::vector<std::string>{
+                      point.method, Count(point.per_facet), Digits(point.seconds.value),
+                      Digits(point.rms_V), Digits(point.max_abs_V), Digits(point.rms_E_half)}));
+        EXPECT_EQ(cells[p]["time_s"]["value"], point.seconds.value);
+        EXPECT_EQ(cells[p]["rms_v"], point.rms_V);
+        EXPECT_EQ(cells[p]["max_abs_v"], point.max_abs_V);
+        EXPECT_EQ(cells[p]["rms_e_half"], point.rms_E_half);
+        if (point.method != "rays") continue;
+        seconds.push_back(point.seconds.value);
+        counts.push_back(point.per_facet);
+        rms_V.push_back(point.rms_V);
+        rms_E.push_back(point.rms_E_half);
     }
+    // The error of 1024 rays, 0.01 after 4 s; slices fall from 0.02 (0.25 s) to 0.005 (1 s), so
+    // they pass it half-way on logarithmic axes, at 0.5 s. Rays never reach that of 32 slices.
+    const Json same = RowsOf("same_error");
+    ASSERT_EQ(same.size(), 1u);
+    EXPECT_EQ(same[0]["method"], "rays");
+    EXPECT_EQ(same[0]["per_facet"], 1024);
+    EXPECT_EQ(same[0]["rms_v"], 0.01);
+    EXPECT_EQ(same[0]["time_s"], 4);
+    EXPECT_EQ(same[0]["other"], "slices");
+    EXPECT_NEAR(same[0]["reached_s"].get<double>(), 0.5, 1e-12);
+    EXPECT_NEAR(same[0]["times_faster"].get<double>(), 8, 1e-12);
     const Json by_time{{"against", "simulation time"}},
         by_count{{"against", "rays or slices of a facet"}};
     EXPECT_EQ(SeriesOf(data, "time-visibility", by_time, "rays", "x"), seconds);
@@ -299,9 +358,26 @@ TEST_F(FitFigures, ErrorAgainstTime) {
     EXPECT_EQ(SeriesOf(data, "time-total", by_time, "rays", "y"), rms_E);
 }
 
-/// Bins that hold a facet, as the JSON lists them.
-std::vector<double> List(const Json& list) {
-    return list.get<std::vector<double>>();
+/// A number of every bin that holds a facet.
+template <class Get>
+std::vector<double> List(const BounceHistogram& histogram, Get&& get) {
+    std::vector<double> list;
+    for (const BounceBin& bin : histogram.bins)
+        if (bin.count > 0) list.push_back(get(bin));
+    return list;
+}
+std::vector<double> Alphas(const BounceHistogram& histogram) {
+    return List(histogram, [](const BounceBin& bin) { return bin.alpha; });
+}
+std::vector<double> Bounce(const BounceHistogram& histogram, std::size_t k,
+                           double Spread::*value = &Spread::mean) {
+    return List(histogram, [=](const BounceBin& bin) { return bin.bounce[k].*value; });
+}
+
+double Constant(const Formula& formula, const std::string& name) {
+    for (std::size_t j = 0; j < formula.values.size(); ++j)
+        if (formula.model.parameters[j].name == name) return formula.values[j];
+    return std::nan("");
 }
 
 void ExpectNear(const std::vector<double>& drawn, const std::vector<double>& expected,
@@ -316,61 +392,60 @@ void ExpectNear(const std::vector<double>& drawn, const std::vector<double>& exp
 TEST_F(FitFigures, TheCurvesAndTheirData) {
     const Json data = PlotDataOf(html);
     for (std::size_t m = 0; m < 2; ++m) {
-        const Json& histogram = json["maps"][m]["over_uniform_visibility"];
-        const Json keys{{"map", json["maps"][m]["name"]}};
-        const std::vector<double> alpha = List(histogram["mean_uniform_visibility"]);
+        const BounceHistogram& histogram = report.maps[m].over_alpha;
+        const Json keys{{"map", report.maps[m].name}};
+        const std::vector<double> alpha = Alphas(histogram);
         for (const std::size_t k : {0u, 1u}) {
             const std::string plot = "curve-" + std::to_string(k);
-            const Json& spread = histogram["bounces"][k];
             ExpectNear(SeriesOf(data, plot, keys, "mean", "x"), alpha, plot);
-            ExpectNear(SeriesOf(data, plot, keys, "mean", "y"), List(spread["mean"]), plot);
-            ExpectNear(SeriesOf(data, plot, keys, "median", "y"), List(spread["p50"]), plot);
+            ExpectNear(SeriesOf(data, plot, keys, "mean", "y"),
+                       Bounce(histogram, k, &Spread::mean), plot);
+            ExpectNear(SeriesOf(data, plot, keys, "median", "y"),
+                       Bounce(histogram, k, &Spread::p50), plot);
             ExpectNear(SeriesOf(data, plot, keys, "5 to 95 % of facets", "y"),
-                       List(spread["p05"]), plot);
+                       Bounce(histogram, k, &Spread::p05), plot);
             ExpectNear(SeriesOf(data, plot, keys, "5 to 95 % of facets", "high"),
-                       List(spread["p95"]), plot);
-            const Json& curve = json["curves"][k];
+                       Bounce(histogram, k, &Spread::p95), plot);
+            const CurveFit& curve = report.curves[k];
             for (const bool published : {false, true}) {
-                const Json& c =
-                    published ? curve["published"]["constants"] : curve["formula"]["constants"];
+                const Formula& c = published ? *curve.published : curve.fitted;
                 std::vector<double> y;
                 for (const double x : alpha)
-                    y.push_back(k == 0
-                                    ? x * (1 + Number(c["a"]) * std::pow(1 - x, Number(c["p"])))
-                                    : Number(c["A"]) * x * std::pow(1 - x, 1.5) *
-                                          std::exp(-Number(c["B"]) * std::pow(x, 0.25)));
+                    y.push_back(
+                        k == 0 ? x * (1 + Constant(c, "a") * std::pow(1 - x, Constant(c, "p")))
+                               : Constant(c, "A") * x * std::pow(1 - x, 1.5) *
+                                     std::exp(-Constant(c, "B") * std::pow(x, 0.25)));
                 const std::string label = published ? "published"
                                           : k       ? "F1, refitted"
                                                     : "F0, refitted";
                 ExpectNear(SeriesOf(data, plot + "-residual", keys, label, "y"), y, label);
                 ExpectNear(SeriesOf(data, plot + "-residual", keys, label, "minus"),
-                           List(spread["mean"]), label);
+                           Bounce(histogram, k, &Spread::mean), label);
                 // The line itself, at 201 even steps: its middle and its third quarter.
                 const std::vector<double> line = SeriesOf(data, plot, keys, label, "y");
                 ASSERT_EQ(line.size(), 201u);
                 const double x = 0.75;
                 const double at =
-                    k == 0 ? x * (1 + Number(c["a"]) * std::pow(1 - x, Number(c["p"])))
-                           : Number(c["A"]) * x * std::pow(1 - x, 1.5) *
-                                 std::exp(-Number(c["B"]) * std::pow(x, 0.25));
+                    k == 0 ? x * (1 + Constant(c, "a") * std::pow(1 - x, Constant(c, "p")))
+                           : Constant(c, "A") * x * std::pow(1 - x, 1.5) *
+                                 std::exp(-Constant(c, "B") * std::pow(x, 0.25));
                 EXPECT_NEAR(line[150], at, 1e-5 * at) << label;
             }
         }
         for (const std::size_t k : {1u, 2u, 3u}) {
             const std::string label = "bounce " + std::to_string(k);
             ExpectNear(SeriesOf(data, "family-residual", keys, label, "minus"),
-                       List(histogram["bounces"][k]["mean"]), label);
-            const Json& c = json["bounce_family"][k - 1]["formula"]["constants"];
+                       Bounce(histogram, k), label);
+            const Formula& c = report.bounce_family[k - 1].fitted;
             std::vector<double> y;
             for (const double x : alpha)
-                y.push_back(Number(c["A"]) * x * std::pow(1 - x, 1.5) *
-                            std::exp(-Number(c["B"]) * std::pow(x, Number(c["C"]))));
+                y.push_back(Constant(c, "A") * x * std::pow(1 - x, 1.5) *
+                            std::exp(-Constant(c, "B") * std::pow(x, Constant(c, "C"))));
             ExpectNear(SeriesOf(data, "family", keys, label, "y", "line"), y, label);
         }
         std::vector<double> sum(alpha.size());
         for (std::size_t k = 0; k <= 3; ++k) {
-            for (std::size_t b = 0; b < sum.size(); ++b)
-                sum[b] += Number(histogram["bounces"][k]["mean"][b]);
+            for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += Bounce(histogram, k)[b];
             ExpectNear(SeriesOf(data, "family-sum", keys,
                                 k == 0 ? "direct" : "to bounce " + std::to_string(k), "y"),
                        sum, "family-sum");
@@ -381,28 +456,30 @@ TEST_F(FitFigures, TheCurvesAndTheirData) {
 // The recommended total, its constants put into the escape family here, over either abscissa.
 TEST_F(FitFigures, TheTotalAndItsData) {
     const Json data = PlotDataOf(html);
-    const Json& c = json["formulas"][0]["formula"]["constants"];
+    const Formula& c = report.formulas[0].formula;
     for (std::size_t m = 0; m < 2; ++m) {
         for (const bool over_V : {true, false}) {
-            const Json& histogram =
-                json["maps"][m][over_V ? "over_cosine_visibility" : "over_uniform_visibility"];
-            const Json keys{{"map", json["maps"][m]["name"]}, {"over", over_V ? "V" : "α"}};
-            const std::vector<double> V = List(histogram["mean_cosine_visibility"]);
-            const std::vector<double> x =
-                List(histogram[over_V ? "mean_cosine_visibility" : "mean_uniform_visibility"]);
+            const BounceHistogram& histogram =
+                over_V ? report.maps[m].over_V : report.maps[m].over_alpha;
+            const Json keys{{"map", report.maps[m].name}, {"over", over_V ? "V" : "α"}};
+            const std::vector<double> V =
+                List(histogram, [](const BounceBin& bin) { return bin.V; });
+            const std::vector<double> x = over_V ? V : Alphas(histogram);
             for (const std::size_t r : {0u, 1u, 2u}) {
-                const double rho = Number(histogram["albedos"][r]);
+                const double rho = histogram.albedos[r];
                 const std::string label = "ρ = " + Exact(rho);
                 std::vector<double> y;
                 for (const double v : V) {
                     const double g =
-                        std::min(1.0, Number(c["a"]) * std::pow(v, Number(c["b"])));
+                        std::min(1.0, Constant(c, "a") * std::pow(v, Constant(c, "b")));
                     y.push_back(rho < 1 ? v + (1 - v) * rho * g / (1 - rho * (1 - g)) : 1);
                 }
                 ExpectNear(SeriesOf(data, "total-recommended", keys, label, "x"), x, label);
                 ExpectNear(SeriesOf(data, "total-recommended", keys, label, "y"), y, label);
-                ExpectNear(SeriesOf(data, "total-recommended-residual", keys, label, "minus"),
-                           List(histogram["totals"][r]["mean"]), label);
+                ExpectNear(
+                    SeriesOf(data, "total-recommended-residual", keys, label, "minus"),
+                    List(histogram, [r](const BounceBin& bin) { return bin.total[r].mean; }),
+                    label);
             }
         }
     }
@@ -412,20 +489,19 @@ TEST_F(FitFigures, TheTotalAndItsData) {
 TEST_F(FitFigures, PooledBinsWeighEveryMapAlike) {
     const Json data = PlotDataOf(html);
     const Json keys{{"map", "all maps"}};
-    const Json *one = &json["maps"][0]["over_uniform_visibility"],
-               *two = &json["maps"][1]["over_uniform_visibility"];
+    const BounceHistogram &one = report.maps[0].over_alpha, &two = report.maps[1].over_alpha;
+    const auto count = [](const BounceBin& bin) { return double(bin.count); };
     double n_1 = 0, n_2 = 0;
-    for (const double n : List((*one)["count"])) n_1 += n;
-    for (const double n : List((*two)["count"])) n_2 += n;
+    for (const double n : List(one, count)) n_1 += n;
+    for (const double n : List(two, count)) n_2 += n;
     std::vector<double> x, y;
-    for (std::size_t b = 0; b < (*one)["count"].size(); ++b) {
-        const double w_1 = Number((*one)["count"][b]) / n_1,
-                     w_2 = Number((*two)["count"][b]) / n_2;
-        const auto mean = [&](const Json& first, const Json& second) {
-            return (w_1 * Number(first[b]) + w_2 * Number(second[b])) / (w_1 + w_2);
+    for (std::size_t b = 0; b < List(one, count).size(); ++b) {
+        const double w_1 = List(one, count)[b] / n_1, w_2 = List(two, count)[b] / n_2;
+        const auto mean = [&](double first, double second) {
+            return (w_1 * first + w_2 * second) / (w_1 + w_2);
         };
-        x.push_back(mean((*one)["mean_uniform_visibility"], (*two)["mean_uniform_visibility"]));
-        y.push_back(mean((*one)["bounces"][1]["mean"], (*two)["bounces"][1]["mean"]));
+        x.push_back(mean(Alphas(one)[b], Alphas(two)[b]));
+        y.push_back(mean(Bounce(one, 1)[b], Bounce(two, 1)[b]));
     }
     ExpectNear(SeriesOf(data, "curve-1-residual", keys, "F1, refitted", "x"), x, "pooled x");
     ExpectNear(SeriesOf(data, "curve-1-residual", keys, "F1, refitted", "minus"), y,
@@ -433,27 +509,33 @@ TEST_F(FitFigures, PooledBinsWeighEveryMapAlike) {
 }
 
 TEST_F(FitFigures, ProvenanceAndFaults) {
-    const Rows maps = TableOf(html, {"map", "file", "texels"});
+    const Rows maps = Page("maps");
+    const Json cells = RowsOf("maps");
     ASSERT_EQ(maps.size(), 3u);
     for (std::size_t m = 0; m < 2; ++m) {
-        const Json& map = json["provenance"]["maps"][m];
-        const auto number = [&](const char* key) { return Number(map[key]); };
-        EXPECT_EQ(maps[m + 1][2], std::to_string(map["width_texels"].get<int>()) + " × " +
-                                      std::to_string(map["height_texels"].get<int>()));
-        EXPECT_EQ(maps[m + 1][3],
-                  Digits(number("spacing_x_m")) + " × " + Digits(number("spacing_y_m")));
-        EXPECT_EQ(maps[m + 1][4], Digits(number("amplitude_m")));
-        EXPECT_EQ(maps[m + 1][5], map["boundary"]);
-        EXPECT_EQ(maps[m + 1][8], map["sha256"]);
+        const MapSource& map = report.provenance.maps[m];
+        EXPECT_EQ(maps[m + 1][2], std::to_string(map.width_texels));
+        EXPECT_EQ(maps[m + 1][3], std::to_string(map.height_texels));
+        EXPECT_EQ(maps[m + 1][4], Digits(map.spacing_x_m));
+        EXPECT_EQ(maps[m + 1][5], Digits(map.spacing_y_m));
+        EXPECT_EQ(maps[m + 1][6], Digits(map.amplitude_m));
+        EXPECT_EQ(maps[m + 1][7], map.boundary);
+        EXPECT_EQ(cells[m]["spacing_y_m"], map.spacing_y_m);
+        EXPECT_EQ(json["provenance"]["inputs"][m]["sha256"], map.sha256);
+        EXPECT_EQ(json["provenance"]["inputs"][m]["name"], map.name);
     }
-    EXPECT_NE(html.find("32 slices a facet, seed 7; 3 bounces; 4 bins; 3 albedos from " +
-                        Digits(0, 2) + " to " + Digits(1, 2)),
-              std::string::npos);
-    const Rows faults = TableOf(html, {"constants", "rule", "broken at"});
+    EXPECT_THAT(html, testing::HasSubstr(", seed 7."));
+    EXPECT_EQ(FactIn(json, "method"), "slices");
+    EXPECT_EQ(FactIn(json, "per_facet"), 32);
+    EXPECT_EQ(FactIn(json, "bounces"), 3);
+    EXPECT_EQ(FactIn(json, "bins"), 4);
+    EXPECT_EQ(TableIn(json, "albedos")["values"]["albedo"].dump(), "[0.0,0.5,1.0]");
+    const Rows faults = Page("faults");
     ASSERT_EQ(faults.size(), 3u);
-    EXPECT_EQ(faults[1][2], "ρ = 0.5, α = 0.970264");
-    EXPECT_EQ(faults[2][2], "α in (0.949253, 1.00000)");
-    EXPECT_EQ(faults[2][3], "by 0.00600 at α = 0.9830");
+    EXPECT_EQ(faults[1], (std::vector<std::string>{"published", "E(ρ) is finite", "0.500",
+                                                   "0.970264", "0.970264", "–", "–"}));
+    EXPECT_EQ(faults[2], (std::vector<std::string>{"published", "F₀ ≤ 1", "–", "0.949253",
+                                                   "1.00000", "0.00600", "0.9830"}));
 }
 
 }  // namespace

@@ -195,7 +195,6 @@ FitReport MakeFitReport() {
                     .reference = "slices, 2048 a facet",
                     .facets = 64,
                     .threads = 2,
-                    .machine_rays_per_second = 0,
                     .points = {{"rays", 256, {.value = 1}, 0.02, 0.017, 0.1},
                                {"rays", 1024, {.value = 4}, 0.01, 0.009, 0.05},
                                {"slices", 8, {.value = 0.25}, 0.02, 0.018, 0.12},

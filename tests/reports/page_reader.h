@@ -64,6 +64,32 @@ inline Rows TableOf(const std::string& html, const std::vector<std::string>& fir
     return {};
 }
 
+/// The fact or the table of that key in the JSON of a document, wherever it stands: of a fact its
+/// value.
+inline nlohmann::ordered_json PartOf(const nlohmann::ordered_json& sections, const char* list,
+                                     const std::string& key) {
+    for (const auto& section : sections) {
+        for (const auto& part : section[list]) {
+            if (part["key"] == key) return part;
+        }
+        const nlohmann::ordered_json within = PartOf(section["sections"], list, key);
+        if (!within.is_null()) return within;
+    }
+    return nullptr;
+}
+inline nlohmann::ordered_json FactIn(const nlohmann::ordered_json& document,
+                                     const std::string& key) {
+    const auto fact = PartOf(document["sections"], "facts", key);
+    EXPECT_TRUE(fact.is_object()) << "no fact " << key;
+    return fact.is_object() ? fact["value"] : nullptr;
+}
+inline nlohmann::ordered_json TableIn(const nlohmann::ordered_json& document,
+                                      const std::string& key) {
+    const auto table = PartOf(document["sections"], "tables", key);
+    EXPECT_TRUE(table.is_object()) << "no table " << key;
+    return table;
+}
+
 inline nlohmann::ordered_json PlotDataOf(const std::string& html) {
     std::size_t at = 0;
     return nlohmann::ordered_json::parse(

@@ -5,7 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "reports/surface_html.h"
+#include "reports/histogram_plots.h"
 
 namespace plumb {
 namespace {

@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "core/error.h"
 #include "made_report.h"
-#include "reports/json_text.h"
+#include "reports/render.h"
+#include "tests/reports/json_schema.h"
+#include "tests/reports/page_reader.h"
 
 namespace plumb {
 namespace {
@@ -18,18 +19,21 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(SimulateReport, IsTheSameByteForByte) {
-    EXPECT_EQ(ToHtml(MakeSimulateReport()), ToHtml(MakeSimulateReport()));
-    EXPECT_EQ(JsonText(ToJson(MakeSimulateReport())), JsonText(ToJson(MakeSimulateReport())));
+    const doc::Document once = DocumentOf(MakeSimulateReport()),
+                        again = DocumentOf(MakeSimulateReport());
+    EXPECT_EQ(ToHtml(once), ToHtml(again));
+    EXPECT_EQ(ToJsonText(once), ToJsonText(again));
+    EXPECT_EQ(ToCsv(once), ToCsv(again));
 }
 
 TEST(SimulateReport, EscapesTheNameOfTheMap) {
-    const std::string html = ToHtml(MakeSimulateReport());
+    const std::string html = ToHtml(DocumentOf(MakeSimulateReport()));
     EXPECT_THAT(html, Not(HasSubstr("<b>\"x\"")));
     EXPECT_THAT(html, HasSubstr("<h1>Light on &lt;b&gt;&quot;x&quot;&lt;/b&gt;"));
 }
 
 TEST(SimulateReport, DrawsEveryQuantityOverBothVisibilities) {
-    const std::string html = ToHtml(MakeSimulateReport());
+    const std::string html = ToHtml(DocumentOf(MakeSimulateReport()));
     for (const char* id : {"population", "visibility", "first-bounce", "bounces", "totals",
                            "amplitude-curves", "amplitude-means"})
         EXPECT_THAT(html, HasSubstr(std::string("<canvas id=\"") + id + "\""));
@@ -37,26 +41,26 @@ TEST(SimulateReport, DrawsEveryQuantityOverBothVisibilities) {
 }
 
 TEST(SimulateReport, JsonHasFiguresAndCurvesButNoPictures) {
-    const nlohmann::ordered_json json = ToJson(MakeSimulateReport());
-    EXPECT_EQ(json["surface"]["figures"]["facets"], 64);
-    EXPECT_EQ(json["surface"]["figures"]["aperture"]["mean"], 1.0005);
-    EXPECT_EQ(json["surface"]["over_cosine_visibility"]["binned_by"], "cosine visibility");
-    EXPECT_FALSE(json.contains("timings"));
+    const nlohmann::ordered_json json = ToJson(DocumentOf(MakeSimulateReport()));
+    EXPECT_EQ(FactIn(json, "facets"), 64);
+    EXPECT_EQ(FactIn(json, "aperture")["value"], 1.0005);
+    EXPECT_EQ(TableIn(json, "over_v")["values"]["count"].size(), 3u);
+    EXPECT_TRUE(PartOf(json["sections"], "tables", "stages").is_null());
     EXPECT_THAT(json.dump(), Not(HasSubstr("base64")));
+    EXPECT_THAT(SchemaErrors(PublishedSchema("document-1.json"), json), testing::IsEmpty());
 }
 
-TEST(SimulateReport, TableShowsADashForWhatIsNotKnown) {
-    std::ostringstream out;
-    WriteTable(out, MakeSimulateReport());
-    EXPECT_THAT(out.str(), testing::ContainsRegex("facets +64\n"));
-    EXPECT_THAT(out.str(), testing::ContainsRegex("mean slope \\[deg\\] +–\n"));
-    EXPECT_THAT(out.str(), HasSubstr("1.00050 ± 0.00020"));
+TEST(SimulateReport, TerminalShowsADashForWhatIsNotKnown) {
+    const std::string text = ToTerminal(DocumentOf(MakeSimulateReport()));
+    EXPECT_THAT(text, testing::ContainsRegex("Facets +64\n"));
+    EXPECT_THAT(text, testing::ContainsRegex("Mean slope \\[°\\] +–\n"));
+    EXPECT_THAT(text, HasSubstr("1.00050 ± 0.00020"));
 }
 
 TEST(SimulateReport, IsOfOneMap) {
     SimulateReport report = MakeSimulateReport();
     report.provenance.maps.clear();
-    EXPECT_THROW(ToJson(report), Error);
+    EXPECT_THROW(DocumentOf(report), Error);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// The parts of a page that speak of surfaces: pictures and figures, plots over one histogram,
-// the amplitude sweep, and how to make the page again.
+// What plots over the bins of a histogram share.
 #pragma once
 
 #include <optional>
@@ -8,36 +7,24 @@
 #include <vector>
 
 #include "core/bounce_histogram.h"
-#include "reports/amplitude_sweep.h"
-#include "reports/page.h"
-#include "reports/provenance.h"
-#include "reports/surface_report.h"
-#include "reports/timings.h"
+#include "reports/plot.h"
 
 namespace plumb {
-
-/// One card a map: relief, V, figures.
-std::string SurfaceCards(std::span<const SurfaceReport> maps);
-
-std::string AmplitudeHtml(const AmplitudeSweep& sweep, PlotSheet& sheet);
-
-/// Command, maps, sampling and, if there are any, timings.
-std::string ProvenanceHtml(const Provenance& provenance, const Timings& timings);
 
 /// The name of the axis that a histogram is cut by.
 std::string AbscissaLabel(BinnedBy binned_by);
 
 /// One number of each bin that is not empty, as a column.
 template <class Get>
-Column BinColumn(PlotSheet& sheet, const BounceHistogram& histogram, Get&& get) {
+Column BinColumn(const BounceHistogram& histogram, Get&& get) {
     std::vector<double> values;
     for (const BounceBin& bin : histogram.bins)
         if (bin.count > 0) values.push_back(get(bin));
-    return sheet.Add(values);
+    return values;
 }
 
 /// The bins' true mean abscissae.
-Column Abscissae(PlotSheet& sheet, const BounceHistogram& histogram);
+Column Abscissae(const BounceHistogram& histogram);
 
 /// Maps put together bin by bin, every map the same say: w = n_bin / n_map. Means only: the
 /// percentiles of several maps do not follow from each map's own. None if the bins differ.

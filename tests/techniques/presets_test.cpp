@@ -77,6 +77,7 @@ const Texts kSupplement = Over(kCommonFilter, {{"packing", "on"},
                                                {"min_radius_px", "0"},
                                                {"min_tap_px", "0"},
                                                {"normals", "depth"},
+                                               {"depth", "surface"},  // no format of its own
                                                {"steepest_area", "0"},
                                                {"pyramid_filter", "rotated_grid"},
                                                {"log2_switch", "3"},

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "io/regular_file.h"
+#include "io/short_name.h"
 
 namespace plumb {
 namespace fs = std::filesystem;
@@ -79,8 +80,7 @@ class PartFile {
 
   private:
     static fs::path FreeName(const fs::path& target) {
-        // A name may have 255 bytes: what is appended must not be what makes it too long.
-        constexpr std::size_t kMostOfName = 200;
+        // What is appended must not be what makes the name too long.
         static std::atomic<int> serial = 0;
         const std::string name = target.filename().string().substr(0, kMostOfName);
         fs::path part = target;

@@ -8,6 +8,7 @@
 #include "io/data_uri.h"
 #include "io/histogram_io.h"
 #include "io/image_io.h"
+#include "io/short_name.h"
 #include "io/whole_file.h"
 #include "jobs/light/fit_constants.h"
 #include "jobs/pictures.h"
@@ -35,7 +36,7 @@ std::string FileNamePart(const std::string& name) {
                     ? char(std::tolower(static_cast<unsigned char>(c)))
                     : '_';
     }
-    return part;
+    return ShortName(part, name);
 }
 
 void WritePictures(const std::filesystem::path& folder, const HeightField& field,

@@ -32,7 +32,7 @@ void WriteHistograms(const std::filesystem::path& folder, const SurfaceReport& s
 void WriteLightMaps(const std::filesystem::path& folder, const Surface& surface,
                     const SurfaceLight& light, const std::vector<std::vector<float>>& bounces);
 
-/// "Stone wall 7" as part of a file name: "stone_wall_7".
+/// "Stone wall 7" as part of a file name: "stone_wall_7"; short enough for a file system.
 std::string FileNamePart(const std::string& name);
 
 }  // namespace plumb

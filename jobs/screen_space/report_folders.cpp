@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "io/short_name.h"
 
 namespace plumb {
 namespace {
@@ -19,7 +20,7 @@ std::string NameOf(const std::string& scene, bool with_folder) {
         name = folder + "-" + name;
     }
     std::replace(name.begin(), name.end(), ':', '-');
-    return name;
+    return ShortName(name, name);
 }
 
 }  // namespace

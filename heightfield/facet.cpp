@@ -7,6 +7,7 @@ namespace {
 
 // Texel that stands at index i of the endless continuation of n texels.
 int Folded(int i, int n, Boundary boundary) {
+    if (0 <= i && i < n) return i;
     if (boundary == Boundary::kWrap) return ((i % n) + n) % n;
     const int period = 2 * (n - 1);
     const int k = ((i % period) + period) % period;

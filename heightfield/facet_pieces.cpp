@@ -1,9 +1,11 @@
 #include "heightfield/facet_pieces.h"
 
 #include <array>
+#include <atomic>
 #include <cmath>
 
 #include "core/error.h"
+#include "core/parallel.h"
 
 namespace plumb {
 namespace {
@@ -15,13 +17,21 @@ std::array<Vec3, 3> Ascending(const Facet& facet) {
     return p;
 }
 
+// The heights of Facet::corners_m alone, at a small part of its cost.
+std::array<double, 3> CornerHeightsM(const HeightField& field, std::int64_t facet) {
+    std::array<double, 3> z;
+    const std::array<TexelIndex, 3> corners = FacetTexels(field, facet);
+    for (std::size_t k = 0; k < 3; ++k) z[k] = field.At(corners[k].i, corners[k].j);
+    return z;
+}
+
 constexpr std::int64_t kMaxPieces = std::int64_t(1) << 31;
 
 }  // namespace
 
 void Validate(const CutOptions& o) {
-    if (!(o.extent_texels >= 0)) {
-        throw Error(MustBe("CutOptions::extent_texels", o.extent_texels, ">= 0"));
+    if (!(o.extent_texels >= 0 && std::isfinite(o.extent_texels))) {
+        throw Error(MustBe("CutOptions::extent_texels", o.extent_texels, "finite and >= 0"));
     }
     if (o.most_pieces < 1 || o.most_pieces > 256) {
         throw Error(MustBe("CutOptions::most_pieces", o.most_pieces, "in [1, 256]"));
@@ -34,24 +44,32 @@ FacetPieces::FacetPieces(const HeightField& field, const CutOptions& options)
     if (options.extent_texels == 0 || options.most_pieces == 1) return;
     const double extent_m =
         options.extent_texels * std::sqrt(field.SpacingXM()) * std::sqrt(field.SpacingYM());
-    const auto pieces = [&](const Facet& facet) {
-        const auto& p = facet.corners_m;
-        const auto [low, high] = std::minmax({p[0].z(), p[1].z(), p[2].z()});
-        return int(
-            std::clamp(std::ceil((high - low) / extent_m), 1.0, double(options.most_pieces)));
+    const auto pieces = [&](std::int64_t facet) {
+        const std::array<double, 3> z = CornerHeightsM(field, facet);
+        const auto [low, high] = std::minmax({z[0], z[1], z[2]});
+        if (high - low <= extent_m) return 1;
+        return int(std::min(std::ceil((high - low) / extent_m), double(options.most_pieces)));
     };
-    std::vector<std::uint32_t> first{0};
-    first.reserve(std::size_t(facets_) + 1);
-    count_ = 0;
-    for (std::int64_t f = 0; f < facets_; ++f) {
-        count_ += pieces(plumb::FacetOf(field, f));
-        if (count_ > kMaxPieces) {
-            throw Error("FacetPieces: more than 2^31 pieces; cut into fewer or larger ones");
-        }
-        first.push_back(std::uint32_t(count_));
+    // Counted before memory is taken: a large map ends here.
+    std::atomic<std::int64_t> count = 0;
+    ParallelFor(facets_, 1 << 16, [&](std::int64_t begin, std::int64_t end) {
+        if (count > kMaxPieces) return;
+        std::int64_t here = 0;
+        for (std::int64_t f = begin; f < end; ++f) here += pieces(f);
+        count += here;
+    });
+    count_ = count;
+    if (count_ > kMaxPieces) {
+        throw Error(
+            "FacetPieces: more than 2^31 pieces; cut into fewer or larger ones, or take a "
+            "smaller map");
     }
     if (count_ == facets_) return;
-    first_ = std::move(first);
+    first_.reserve(std::size_t(facets_) + 1);
+    first_.push_back(0);
+    for (std::int64_t f = 0; f < facets_; ++f) {
+        first_.push_back(first_.back() + std::uint32_t(pieces(f)));
+    }
     facet_.reserve(std::size_t(count_));
     low_m_.reserve(std::size_t(count_));
     share_.reserve(std::size_t(count_));

@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "core/error.h"
 #include "core/names.h"
@@ -117,8 +119,10 @@ RawHeights ReadHeights(const std::filesystem::path& path, const HeightEncoding& 
         const StoredImage::Channel& channel = encoding.channel.empty()
                                                   ? OnlyChannel(image, file)
                                                   : ChannelNamed(image, encoding.channel, file);
-        heights.values = channel.stored;
         heights.channel = channel.name;
+        // Not a copy: of 2^28 texels it is 2 GB.
+        heights.values =
+            std::move(image.channels[std::size_t(&channel - image.channels.data())].stored);
     }
     CheckPixels(heights.values, AsStored(tags.no_data, image), file);
     for (double& value : heights.values.Pixels()) value /= heights.full_scale;

@@ -52,7 +52,13 @@ SimulateReport Simulate(const Surface& surface, const SimulateJob& job, const Ru
     const bool coloured = !job.albedo.empty() || !job.albedo_map.empty();
     std::array<std::vector<double>, 3> albedo;
     if (!job.albedo_map.empty()) {
-        albedo = FacetAlbedos(surface.field, ReadPicture(job.albedo_map));
+        // A picture of another size is refused by its header; none has so many channels.
+        constexpr std::int64_t kMostChannels = 64;
+        const std::int64_t texels =
+            std::int64_t(surface.field.Width()) * surface.field.Height();
+        albedo = FacetAlbedos(
+            surface.field,
+            ReadPicture(job.albedo_map, std::min(kMaxImageNumbers, kMostChannels * texels)));
     } else if (coloured) {
         albedo = UniformAlbedos(job.albedo, surface.field.Facets());
     }

@@ -144,7 +144,8 @@ TEST(FacetPieces, RefuseWhatMakesNoSense) {
         }
         return "no error";
     };
-    EXPECT_EQ(message({.extent_texels = -1}), "CutOptions::extent_texels = -1, must be >= 0");
+    EXPECT_EQ(message({.extent_texels = -1}),
+              "CutOptions::extent_texels = -1, must be finite and >= 0");
     EXPECT_EQ(message({.most_pieces = 0}), "CutOptions::most_pieces = 0, must be in [1, 256]");
     EXPECT_EQ(message({.most_pieces = 257}),
               "CutOptions::most_pieces = 257, must be in [1, 256]");

@@ -28,6 +28,9 @@ struct Sampling {
     std::string method;  ///< "slices" or "rays".
     int per_facet = 0;   ///< Slices or rays of a facet.
     std::uint64_t seed = 0;
+    double cut_texels =
+        0;                ///< Height of the strips that steep facets are cut into; 0 = none is.
+    int most_pieces = 1;  ///< Of one facet.
 };
 
 struct Provenance {

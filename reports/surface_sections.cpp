@@ -248,6 +248,14 @@ doc::Section OriginSection(const Provenance& provenance, const Timings& timings)
     if (provenance.sampling.per_facet > 0) {
         fact("method", "Links by", provenance.sampling.method);
         fact("per_facet", "Slices or rays a facet", provenance.sampling.per_facet);
+        section.facts.push_back(
+            {{.key = "cut_texels",
+              .title = "Strips of steep facets, height",
+              .unit = "texels",
+              .meaning = "Of one strip, where a facet needs no more than it may have; 0 = "
+                         "no facet is cut"},
+             provenance.sampling.cut_texels});
+        fact("most_pieces", "Strips of a facet, at most", provenance.sampling.most_pieces);
     }
     fact("bounces", "Bounces kept", provenance.bounces);
     fact("bins", "Bins", provenance.bins);

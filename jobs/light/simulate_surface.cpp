@@ -83,10 +83,12 @@ std::string FurnaceFault(const std::string& map, double max_furnace_error) {
 }
 
 Sampling SamplingOf(const SimulateSettings& settings) {
-    if (settings.method == LinkMethod::kRays) {
-        return {"rays", settings.rays.rays, settings.rays.seed};
-    }
-    return {"slices", settings.slices.slices, settings.slices.seed};
+    const bool rays = settings.method == LinkMethod::kRays;
+    return {.method = rays ? "rays" : "slices",
+            .per_facet = rays ? settings.rays.rays : settings.slices.slices,
+            .seed = rays ? settings.rays.seed : settings.slices.seed,
+            .cut_texels = settings.cut.extent_texels,
+            .most_pieces = settings.cut.most_pieces};
 }
 
 Links MakeLinksOf(const HeightField& field, const FacetPieces& pieces,

@@ -382,6 +382,8 @@ TEST_F(SimulateEndToEnd, StagesLieBetweenTwoLooksAtTheClock) {
     EXPECT_EQ(stages[0]["stage"], "links");
     EXPECT_EQ(stages[2]["stage"], "furnace");
     EXPECT_EQ(FactIn(*json, "per_facet"), 8);
+    EXPECT_EQ(FactIn(*json, "cut_texels"), kDefaultCut.extent_texels);
+    EXPECT_EQ(FactIn(*json, "most_pieces"), kDefaultCut.most_pieces);
     EXPECT_EQ(FactIn(*json, "bounces"), kBounces);
     EXPECT_EQ(FactIn(*json, "bins"), kBins);
 }

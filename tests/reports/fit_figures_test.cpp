@@ -527,6 +527,8 @@ TEST_F(FitFigures, ProvenanceAndFaults) {
     EXPECT_THAT(html, testing::HasSubstr(", seed 7."));
     EXPECT_EQ(FactIn(json, "method"), "slices");
     EXPECT_EQ(FactIn(json, "per_facet"), 32);
+    EXPECT_EQ(FactIn(json, "cut_texels"), 1.5);
+    EXPECT_EQ(FactIn(json, "most_pieces"), 8);
     EXPECT_EQ(FactIn(json, "bounces"), 3);
     EXPECT_EQ(FactIn(json, "bins"), 4);
     EXPECT_EQ(TableIn(json, "albedos")["values"]["albedo"].dump(), "[0.0,0.5,1.0]");

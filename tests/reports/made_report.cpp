@@ -137,7 +137,7 @@ FitReport MakeFitReport() {
     report.provenance.tool_version = "1.2.3";
     report.provenance.command = "plumb fit x.png y.png --seed 7";
     report.provenance.maps = {MakeSource(kHostileName), MakeSource("plain")};
-    report.provenance.sampling = {"slices", 32, 7};
+    report.provenance.sampling = {"slices", 32, 7, 1.5, 8};
     report.provenance.bounces = 3;
     report.provenance.bins = 4;
     report.provenance.albedos = {0, 0.5, 1};

@@ -68,7 +68,7 @@ ShaderHeader MakeHeader() {
     header.provenance.maps.resize(1);
     header.provenance.maps[0].name = "map\n#error injected";
     header.provenance.maps[0].sha256 = std::string(64, 'f');
-    header.provenance.sampling = {"slices", 32, 7};
+    header.provenance.sampling = {"slices", 32, 7, 1.5, 8};
     header.alternatives = AllFormulas();
     header.recommended = header.alternatives[0];
     header.published_rms = 0.0625;

@@ -23,6 +23,7 @@ struct Options {
 void Run(const Options& o) {
     SetThreadCount(o.common.threads);
     const auto monitor = MakeMonitor(o.common);
+    Validate(o.settings);
     const LoadedScene loaded = LoadScene(o.scene);
     AoBenchSettings settings = o.settings;
     if (o.width_px > 0 && o.height_px > 0) {
@@ -45,10 +46,14 @@ void Add(CLI::App& bench) {
         ->capture_default_str();
     ao->add_option("--camera", o->camera, "Name of the camera; the first if not given");
     ao->add_option("--radius", o->settings.radius_m, "Radius [m]")->capture_default_str();
-    ao->add_option("--width", o->width_px, "One size only, with --height [px]")
-        ->check(CLI::Range(1, 16384));
-    ao->add_option("--height", o->height_px, "One size only, with --width [px]")
-        ->check(CLI::Range(1, 16384));
+    CLI::Option* width =
+        ao->add_option("--width", o->width_px, "One size only, with --height [px]")
+            ->check(CLI::Range(1, 16384));
+    CLI::Option* height =
+        ao->add_option("--height", o->height_px, "One size only, with --width [px]")
+            ->check(CLI::Range(1, 16384));
+    width->needs(height);
+    height->needs(width);
     AddRounds(*ao, o->settings.rounds);
     AddCommon(*ao, o->common);
     ao->callback([o] { Run(*o); });

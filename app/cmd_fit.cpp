@@ -47,6 +47,7 @@ void Run(const CLI::App& command, const Options& o) {
     settings.weighting = o.weighting == "population" ? Weighting::kPopulation
                          : o.weighting == "variance" ? Weighting::kPopulationOverVariance
                                                      : Weighting::kUnweighted;
+    Validate(settings);
     const std::vector<Surface> surfaces =
         LoadSurfaces(o.maps, SurfaceOptionsOf(command, o.simulate));
     FitConstantsResult result = FitConstants(surfaces, settings, ContextOf(o.common, *monitor));
@@ -100,7 +101,7 @@ void Add(CLI::App& program) {
         ->capture_default_str();
     command
         ->add_option("--bootstrap", o->fit.bootstrap_replicates,
-                     "Replicates of the bootstrap over maps; 0 = none")
+                     "Replicates of the bootstrap over maps, at least 10; 0 = none")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
     command->add_flag("--forms", o->fit.compare_forms,

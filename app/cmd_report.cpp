@@ -49,6 +49,7 @@ void Run(const Options& o) {
     std::optional<std::filesystem::path> out;
     if (o.out->count() > 0) out = o.common.out;
     const std::vector<std::filesystem::path> folders = ReportFolders(o.scenes, out);
+    Validate(o.job);
     // All of them before the first report: a name that is wrong is told at once.
     std::vector<LoadedScene> loaded;
     for (const std::string& scene : o.scenes) loaded.push_back(LoadScene(scene));
@@ -80,8 +81,9 @@ void Add(CLI::App& program) {
         "Radius of the truth and of every technique [m]; not given: the truth's is "
         "1.5, a technique's that of the scene's file, else 1.5");
     command
-        ->add_option("--budget", o->job.budget,
-                     "Preset of SAO whose error is split: paper, supplement2012 or g3d10")
+        ->add_option(
+            "--budget", o->job.budget,
+            "Preset of SAO whose error is split: paper, supplement2012, g3d10 or alchemy")
         ->capture_default_str();
     command
         ->add_option("--spp", o->job.spp,

@@ -23,12 +23,13 @@ struct Options {
 };
 
 void RunFacets(const Options& o, Monitor& monitor) {
-    const FacetTruthResult result = MeasureFacetTruth(LoadScene(o.scene),
-                                                      {.spp = o.job.max_spp,
-                                                       .bounces = o.job.bounces,
-                                                       .alpha = !o.no_alpha,
-                                                       .seed = o.common.seed},
-                                                      o.common.out, monitor);
+    const FacetTruthJob job{.spp = o.job.max_spp,
+                            .bounces = o.job.bounces,
+                            .alpha = !o.no_alpha,
+                            .seed = o.common.seed};
+    Validate(job);  // Before a scene that may be large.
+    const FacetTruthResult result =
+        MeasureFacetTruth(LoadScene(o.scene), job, o.common.out, monitor);
     if (o.common.quiet) return;
     std::cout << result.triangles << " triangles (" << result.zero_area
               << " without area left out), mean V " << result.mean_V
@@ -44,6 +45,7 @@ void RunTruth(Options o) {
     o.job.V = !o.no_v;
     o.job.use_cache = !o.no_cache;
     o.job.seed = o.common.seed;
+    Validate(o.job);  // Before a scene that may be large.
     const TruthResult result =
         MeasureTruth(LoadScene(o.scene), o.job, ContextOf(o.common, *monitor));
     Print(result.document, result.page, o.common);
@@ -82,14 +84,13 @@ void Add(CLI::App& program) {
     command->add_option(
         "--albedo", o->job.albedos,
         "With --bounces: also the total light for these albedos, each in [0, 1]");
-    command
-        ->add_option("--reach", o->job.reach_m,
-                     "Also the visibility within this reach [m]; 0 = not")
-        ->check(CLI::NonNegativeNumber);
+    CLI::Option* reach = command->add_option(
+        "--reach", o->job.reach_m, "Also the visibility within this reach [m]; 0 = not");
     const std::map<std::string, Falloff> falloffs{
         {"hard", Falloff::kHard}, {"linear", Falloff::kLinear}, {"sao", Falloff::kSao}};
     command->add_option("--falloff", o->job.falloff, "With --reach: hard, linear or sao")
-        ->transform(CLI::CheckedTransformer(falloffs));
+        ->transform(CLI::CheckedTransformer(falloffs))
+        ->needs(reach);
     command
         ->add_option("--spp", o->job.max_spp,
                      "Stop at this many samples a pixel: a power of two, at least 64")
@@ -99,19 +100,25 @@ void Add(CLI::App& program) {
             "--target-error", o->job.target_error,
             "Stop when the root mean square standard error of V (without V: of irradiance,\n"
             "or beauty) is this small, > 0")
-        ->check(CLI::PositiveNumber);
+        ->check(AboveZero());
     command->add_option("--seconds", o->job.max_seconds, "Stop after this time [s], > 0")
-        ->check(CLI::PositiveNumber);
+        ->check(AboveZero());
     command->add_flag("--resume", o->job.resume,
                       "Refuse to start anew: the cache must have a state to go on from");
     command->add_option("--cache", o->job.cache,
                         "Folder of states; the folder cache in that of --out if not given");
     command->add_flag("--no-cache", o->no_cache, "Keep no state, and use none");
-    command->add_flag(
+    CLI::Option* facets = command->add_flag(
         "--facets", o->facets,
         "Measure every triangle over its area instead of a view: facets.csv, with "
         "--spp, --bounces and --no-alpha");
+    for (const char* of_a_view :
+         {"--camera", "--width", "--height", "--no-v", "--irradiance", "--beauty", "--albedo",
+          "--reach", "--falloff", "--target-error", "--seconds", "--resume", "--cache"}) {
+        facets->excludes(of_a_view);
+    }
     AddCommon(*command, o->common);
+    facets->excludes("--json");
     command->callback([o] { RunTruth(*o); });
 }
 

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -150,6 +151,18 @@ void AddRounds(CLI::App& command, int& rounds) {
                     "Rounds of every timing, after one that warms up; medians count")
         ->check(CLI::Range(kTimedRounds, 1000))
         ->capture_default_str();
+}
+
+CLI::Validator AboveZero() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            double value = 0;
+            const bool read = CLI::detail::lexical_cast(text, value);
+            return read && value > 0 && std::isfinite(value)
+                       ? std::string()
+                       : text + ", must be finite and > 0";
+        },
+        "");
 }
 
 std::unique_ptr<Monitor> MakeMonitor(const Common& common) {

@@ -26,6 +26,9 @@ void AddCommon(CLI::App& command, Common& common);
 /// Declares --rounds: of every timing, at least as many as a median needs.
 void AddRounds(CLI::App& command, int& rounds);
 
+/// Of an option: a finite number > 0.
+CLI::Validator AboveZero();
+
 /// A progress line with the time that is left, on a terminal only; learns of Ctrl-C. Sets the
 /// number of threads. Throws Error or MachineError if --out is empty or cannot be written to.
 std::unique_ptr<Monitor> MakeMonitor(const Common& common);

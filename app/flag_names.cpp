@@ -18,6 +18,8 @@ std::string FlagOf(const std::string& field, const CLI::App& command) {
         {"max_seconds", "seconds"},
         {"albedos", "albedo"},
         {"replicates", "bootstrap"},
+        {"bootstrap_replicates", "bootstrap"},
+        {"extent_texels", "cut-texels"},
     };
     std::vector<std::string> names = {field};
     if (const auto other = kOthers.find(field); other != kOthers.end()) {

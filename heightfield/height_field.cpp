@@ -81,8 +81,12 @@ HeightField WithAmplitude(const HeightField& field, double amplitude_m) {
     if (range == 0) {
         throw Error("the height field is flat: no amplitude can be given to it");
     }
+    // Far above the relief its digits would be rounded away: then the lowest moves to 0.
+    constexpr double kMostOverAmplitude = 1e6;
+    const bool is_far = amplitude_m > 0 && std::abs(low) > kMostOverAmplitude * amplitude_m;
+    const double base = is_far ? 0 : low;
     Image<double> heights = field.HeightsM();
-    for (double& z : heights.Pixels()) z = low + (z - low) / range * amplitude_m;
+    for (double& z : heights.Pixels()) z = base + (z - low) / range * amplitude_m;
     return HeightField(std::move(heights), field.SpacingXM(), field.SpacingYM(),
                        field.GetBoundary(), field.GetDiagonal());
 }

@@ -30,9 +30,24 @@ std::string WeightingText(const SampleOptions& sampling) {
 
 }  // namespace
 
+void Validate(const FitSettings& settings) {
+    if (settings.simulate.bounces < 1) {
+        throw Error(MustBe("bounces", settings.simulate.bounces,
+                           "in [1, 1000]: the curve of the first bounce is fitted"));
+    }
+    if (settings.starts < 1) throw Error(MustBe("starts", settings.starts, ">= 1"));
+    const int replicates = settings.bootstrap_replicates;
+    if (replicates != 0 && replicates < kFewestReplicates) {
+        throw Error(MustBe("bootstrap_replicates", replicates,
+                           "0 or at least " + std::to_string(kFewestReplicates) +
+                               ": fewer say nothing of a spread"));
+    }
+}
+
 FitConstantsResult FitConstants(std::span<const Surface> surfaces, const FitSettings& settings,
                                 const RunContext& run) {
     if (surfaces.empty()) throw Error("fit: no height map given");
+    Validate(settings);
     FitConstantsResult result;
     FitReport& report = result.report;
     report.provenance.tool_version = run.version;

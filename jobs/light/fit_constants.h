@@ -24,11 +24,18 @@ struct FitSettings {
     SimulateSettings simulate;
     Weighting weighting = Weighting::kPopulation;
     int starts = 8;                 ///< Of every fit to all maps. [1, ...)
-    int bootstrap_replicates = 50;  ///< 0 = none; needs two maps. [0, ...)
+    int bootstrap_replicates = 50;  ///< Needs two maps. 0 = none, or [10, ...)
     bool compare_forms = false;  ///< Also fits the forms of fit/models/escape_alternatives.h.
     bool study_convergence = true;  ///< On the middle of the first map.
     bool study_amplitude = true;    ///< On the middle of the first map.
 };
+
+/// Fewer say little of a spread: the standard error of n is itself known to 1 / sqrt(2 (n - 1)), that
+/// of ten to a quarter.
+inline constexpr int kFewestReplicates = 10;
+
+/// Throws Error, naming field, value and rule: before the light is simulated.
+void Validate(const FitSettings& settings);
 
 struct FitConstantsResult {
     FitReport report;                    ///< Everything but the pictures.

@@ -64,6 +64,10 @@ Surface Made(const std::string& name, const SurfaceOptions& o) {
         tile.width_m = tile.height_m = *o.spacing_m * texels;
         tile.amplitude_m = kind.amplitude_per_width * tile.width_m;
     }
+    if (o.amplitude_of_width && !(*o.amplitude_of_width > 0)) {
+        throw Error(MustBe("--amplitude-of-width", *o.amplitude_of_width,
+                           "> 0: a made map has relief"));
+    }
     if (o.amplitude_of_width) tile.amplitude_m = *o.amplitude_of_width * tile.width_m;
     if (o.amplitude_m) tile.amplitude_m = *o.amplitude_m;
     HeightField field = kind.make(seed, tile);

@@ -108,11 +108,18 @@ doc::Section SamplingSection(const std::vector<SizeTimes>& sizes, double radius_
 
 }  // namespace
 
-doc::Document BenchAo(const Scene& scene, const Camera& camera, const AoBenchSettings& settings,
-                      const RunContext& run) {
+void Validate(const AoBenchSettings& settings) {
+    for (const char* preset : {"sao-supplement2012", "alchemy"}) {
+        RequireRadius(preset, settings.radius_m);
+    }
     if (settings.rounds < 1 || settings.rounds > 1000) {
         throw Error(MustBe("AoBenchSettings::rounds", settings.rounds, "in [1, 1000]"));
     }
+}
+
+doc::Document BenchAo(const Scene& scene, const Camera& camera, const AoBenchSettings& settings,
+                      const RunContext& run) {
+    Validate(settings);
     std::vector<SizeTimes> sizes;
     for (const TimedSize& size : settings.sizes) {
         sizes.push_back(TimeSize(scene, camera, size, settings, run));

@@ -20,6 +20,9 @@ struct AoBenchSettings {
     std::vector<TimedSize> sizes = {{1280, 720, 128}, {1920, 1080, 192}, {2560, 1600, 256}};
 };
 
+/// Throws Error, naming field, value and rule.
+void Validate(const AoBenchSettings& settings);
+
 doc::Document BenchAo(const Scene& scene, const Camera& camera, const AoBenchSettings& settings,
                       const RunContext& run);
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/names.h"
 #include "core/parallel.h"
 #include "core/sobol.h"
 #include "core/warp.h"
@@ -96,7 +97,7 @@ std::string BudgetTechnique(const SceneReportJob& job) {
 }
 
 int OtherSpp(const SceneReportJob& job) {
-    return job.other_spp != 0 ? job.other_spp : std::max(kLeastSpp, job.spp / 4);
+    return job.other_spp.value_or(std::max(kLeastSpp, job.spp / 4));
 }
 
 void AddStudies(const LoadedScene& loaded, const SceneReportJob& job,
@@ -151,9 +152,20 @@ void Validate(const SceneReportJob& job) {
         throw Error(MustBe("rounds", job.rounds, "in [1, 1000]"));
     }
     Validate(ViewTruthOptions{.spp = job.spp});
-    Validate(ViewTruthOptions{.spp = OtherSpp(job)});
-    SaoPresetNamed(job.budget);
-    for (const std::string& name : job.techniques) TechniqueNamed(name);
+    RequireSpp("other_spp", OtherSpp(job));
+    FindNamed(
+        SaoPresets(), [](const SaoPreset& preset) { return preset.name; }, job.budget,
+        "budget = " + job.budget);
+    for (const std::string& name : job.techniques) {
+        TechniqueNamed(name);
+        if (std::ranges::count(job.techniques, name) > 1) {
+            throw Error("technique = " + name + ", given twice");
+        }
+    }
+    if (!job.radius_m) return;
+    for (const std::string& name : job.techniques.empty() ? TechniqueNames() : job.techniques) {
+        RequireRadius(name, *job.radius_m);
+    }
 }
 
 SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,

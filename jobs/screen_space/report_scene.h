@@ -31,8 +31,8 @@ struct SceneReportJob {
     ValuesByTechnique set;  ///< What the command line turns; wins over radius_m and the file.
     std::vector<std::string> techniques;    ///< Empty = all of TechniqueNames().
     std::string budget = "supplement2012";  ///< The preset whose error is split.
-    int spp = 256;      ///< Rays a pixel of the first view's truth: a power of two. [16, 2^20]
-    int other_spp = 0;  ///< Of the other views'; 0 = a quarter, at least 16.
+    int spp = 256;  ///< Rays a pixel of the first view's truth: a power of two. [16, 2^20]
+    std::optional<int> other_spp;  ///< Of the other views'; not given: a quarter, at least 16.
     std::uint64_t seed = 1;
     int rounds = kTimedRounds;  ///< Of every timing; medians count. [1, 1000]
     bool studies = true;        ///< Budget, sweep, times, radii and flicker too.

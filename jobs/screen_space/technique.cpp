@@ -55,6 +55,11 @@ void Validate(const TechniqueSettings& s) {
     }
 }
 
+void RequireRadius(const std::string& technique, double radius_m) {
+    const Knob& knob = KnobNamed(FindTechnique(technique).description, "radius_m", "radius_m");
+    if (!Allows(knob, radius_m)) throw Error(MustBe("radius_m", radius_m, RuleOf(knob)));
+}
+
 std::vector<std::string> TechniqueNames() {
     std::vector<std::string> names;
     for (const PictureTechnique& one : AllTechniques()) names.push_back(one.description.name);

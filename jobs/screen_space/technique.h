@@ -54,6 +54,9 @@ struct TechniqueSettings {
 /// Throws Error, naming field, value and rule.
 void Validate(const TechniqueSettings& settings);
 
+/// Throws Error "radius_m = ..." where that technique does not take the radius.
+void RequireRadius(const std::string& technique, double radius_m);
+
 std::vector<std::string> TechniqueNames();
 
 /// Throws Error, listing the names, if there is none of that name.

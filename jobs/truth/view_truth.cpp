@@ -44,8 +44,12 @@ void Validate(const ViewTruthOptions& o) {
     if (!(o.radius_m > 0 && std::isfinite(o.radius_m))) {
         throw Error(MustBe("ViewTruthOptions::radius_m", o.radius_m, "in (0, infinity)"));
     }
-    if (o.spp < 16 || o.spp > (1 << 20) || !std::has_single_bit(unsigned(o.spp))) {
-        throw Error(MustBe("ViewTruthOptions::spp", o.spp, "a power of two in [16, 2^20]"));
+    RequireSpp("ViewTruthOptions::spp", o.spp);
+}
+
+void RequireSpp(const std::string& field, int spp) {
+    if (spp < 16 || spp > (1 << 20) || !std::has_single_bit(unsigned(spp))) {
+        throw Error(MustBe(field, spp, "a power of two in [16, 2^20]"));
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 
 #include "core/image.h"
 #include "core/monitor.h"
@@ -26,6 +27,7 @@ struct ViewTruthOptions {
 
 /// Throws Error, naming field, value and rule.
 void Validate(const ViewTruthOptions& options);
+void RequireSpp(const std::string& field, int spp);
 
 /// 1 with no error where the sky is seen.
 struct TruthImage {

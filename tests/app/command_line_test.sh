@@ -34,6 +34,9 @@ refused 'in [0, 1]' "$plumb" simulate make:bricks:16 --albedo 1.5
 refused 'in [4, 65536]' "$plumb" simulate make:bricks:16 --slices 0
 refused 'in [0, 1000]' "$plumb" simulate make:bricks:16 --bounces 1001
 refused '--histogram' "$plumb" fit
+# By its header: 64 channels of 16 x 16 texels.
+printf 'Pf\n2000 2000\n-1.0\n' >albedo.pfm
+refused 'at most 16384 numbers' "$plumb" simulate make:bricks:16 --albedo-map albedo.pfm
 
 # Seeds that a reader of unsigned numbers would take for others.
 for command in 'simulate make:bricks:16' 'fit make:bricks:16' 'truth cornell_box' \
@@ -56,7 +59,7 @@ for file in out/*; do
   grep -qF -- "$(basename "$file" | sed 's/^bricks_/NAME_/')" "$docs/light.md" ||
     { echo "FAILED: $file is not in docs/light.md"; failed=1; }
 done
-expect 0 '' "$plumb" fit make:bricks:24 make:cobbles:24 --slices 4 --no-studies --bootstrap 4 \
+expect 0 '' "$plumb" fit make:bricks:24 make:cobbles:24 --slices 4 --no-studies --bootstrap 10 \
   --out fitted --quiet
 left fitted report.html report.json report.csv scores.csv constants.csv plumb_light.glsl plumb_light.hlsl \
   plumb_light.h
@@ -81,6 +84,17 @@ left out/simulate report.html histogram_alpha.csv
 expect 0 '' "$plumb" fit --histogram out/simulate/histogram_alpha.csv --quiet
 left out/fit-histogram report.html report.json report.csv constants.csv
 [ "$before" = "$(cat out/fit/constants.csv)" ] || { echo "FAILED: another job's constants"; failed=1; }
+
+# A name that no file system takes with an ending behind it.
+long=$(printf 'n%.0s' $(seq 251))
+cp m1/wall.pfm "$long.pfm"
+expect 0 '' "$plumb" simulate "$long.pfm" --slices 4 --quiet --out long
+expect 0 '' "$plumb" fit "$long.pfm" m1/wall.pfm --slices 4 --no-studies --bootstrap 0 --starts 1 \
+  --quiet --out long-fit
+printf '{"generator": "wedge"}' >"$(printf 's%.0s' $(seq 250)).json"
+expect 0 '' "$plumb" report "$(printf 's%.0s' $(seq 250)).json" --no-studies --width 16 \
+  --height 12 --spp 16 --rounds 1 --technique hbao --quiet
+left "$(echo out/report-sss*)" report.html
 
 # A column alpha does not say what open ground receives.
 printf 'alpha,E0,E1\n0.2,0.66,0.5\n0.5,1.7,0.6\n0.8,2.7,0.3\n0.9,2.9,0.2\n0.95,3.0,0.1\n' >pi.csv

@@ -119,6 +119,17 @@ TEST(WithAmplitude, KeepsTheLowestAndStretchesTheRest) {
     EXPECT_EQ(WithAmplitude(field, 0).HighestM(), field.LowestM());
 }
 
+// Expected: heights of 0, 1/2, 1 times an amplitude of 1e-20, to rounding. Next to a lowest height
+// of 7 all of them would be 7.
+TEST(WithAmplitude, DoesNotRoundAwayARelief) {
+    Image<double> heights(2, 2, 7);
+    heights(1, 0) = 8;
+    heights(1, 1) = 9;
+    const HeightField small = WithAmplitude(HeightField(heights, 1, 1, Boundary::kOpen), 1e-20);
+    EXPECT_DOUBLE_EQ(small.At(1, 0) - small.At(0, 0), 5e-21);
+    EXPECT_DOUBLE_EQ(small.HighestM() - small.LowestM(), 1e-20);
+}
+
 TEST(WithAmplitude, KeepsBoundaryDiagonalAndSpacing) {
     for (const HeightField& field : AllKinds()) {
         const HeightField tall = WithAmplitude(field, 2);

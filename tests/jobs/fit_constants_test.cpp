@@ -19,7 +19,7 @@ FitSettings Brief() {
     settings.simulate.slices.slices = 8;
     settings.simulate.bounces = 4;
     settings.starts = 2;
-    settings.bootstrap_replicates = 4;
+    settings.bootstrap_replicates = kFewestReplicates;
     settings.study_convergence = settings.study_amplitude = false;
     return settings;
 }

@@ -26,7 +26,7 @@ FitSettings Brief() {
     settings.simulate.bounces = 2;
     settings.simulate.bins = kBins;
     settings.starts = 2;
-    settings.bootstrap_replicates = 3;
+    settings.bootstrap_replicates = kFewestReplicates;
     settings.study_convergence = false;  // Below, with its own clock.
     return settings;
 }

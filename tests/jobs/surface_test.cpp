@@ -52,6 +52,19 @@ TEST(LoadSurface, OptionsComeBeforeTheGeneratorsAdvice) {
     EXPECT_EQ(wall.source.boundary, "open");
 }
 
+// Expected: visibility has no unit. At 1e-20 m a texel the relief was once rounded away.
+TEST(LoadSurface, MakesTheSameShapeAtAnySize) {
+    SurfaceOptions options;
+    const HeightField big = LoadSurface("make:bricks:16", options).field;
+    options.spacing_m = 1e-20;
+    const HeightField small = LoadSurface("make:bricks:16", options).field;
+    const double big_m = big.HighestM() - big.LowestM(),
+                 small_m = small.HighestM() - small.LowestM();
+    EXPECT_NEAR(small_m / small.SpacingXM(), big_m / big.SpacingXM(), 1e-12);
+    EXPECT_NEAR((small.At(3, 5) - small.LowestM()) / small_m,
+                (big.At(3, 5) - big.LowestM()) / big_m, 1e-12);
+}
+
 TEST(LoadSurface, RefusesANegativeAmplitude) {
     SurfaceOptions options;
     options.amplitude_m = -1;

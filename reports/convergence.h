@@ -21,7 +21,8 @@ struct ConvergencePoint {
 
 struct Convergence {
     std::string map;
-    std::string reference;  ///< What the errors are measured against, e.g. "slices, 2048".
+    std::string
+        reference;  ///< What the errors are measured against, e.g. "slices, 2048 a facet".
     std::int64_t facets = 0;
     int threads = 0;
     std::vector<ConvergencePoint> points;  ///< Ascending in per_facet within a method.

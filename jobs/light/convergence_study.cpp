@@ -11,6 +11,8 @@ namespace plumb {
 namespace {
 
 constexpr std::uint64_t kReferenceSeed = 0x5eed;
+// Finer than what is judged: a reference cut alike would hide what the cut costs.
+constexpr CutOptions kReferenceCut{.extent_texels = 0.5, .most_pieces = 24};
 
 struct Light {
     std::vector<double> V;
@@ -44,11 +46,15 @@ Convergence StudyConvergence(const std::string& name, const HeightField& field,
     SimulateSettings exact;
     exact.slices.slices = settings.reference_slices;
     exact.slices.seed = kReferenceSeed;
+    exact.cut = kReferenceCut;
     const Light reference = LightOf(field, exact, monitor);
 
     Convergence out;
     out.map = name;
-    out.reference = "slices, " + std::to_string(settings.reference_slices);
+    out.reference =
+        "slices, " + std::to_string(settings.reference_slices) + " a facet, cut " +
+        std::to_string(std::lround(kDefaultCut.extent_texels / kReferenceCut.extent_texels)) +
+        " times as fine";
     out.facets = field.Facets();
     out.threads = ThreadCount();
     std::vector<SimulateSettings> judged;

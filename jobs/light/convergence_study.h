@@ -18,7 +18,7 @@ struct ConvergenceSettings {
 
 /// Simulates `field` with each count. The errors are root mean squares over facets
 /// against the reference, whose own error is smaller by the square root of the counts' ratio or
-/// more.
+/// more; its facets are cut three times as fine, so that what the cut costs is seen.
 Convergence StudyConvergence(const std::string& name, const HeightField& field,
                              const ConvergenceSettings& settings, const Clock& clock,
                              Monitor& monitor = SilentMonitor());

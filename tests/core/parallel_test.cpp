@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <mutex>
 #include <numeric>
 #include <set>
@@ -17,6 +18,9 @@
 
 namespace plumb {
 namespace {
+
+// For what must come, however busy the machine is.
+constexpr std::chrono::minutes kPatience(5);
 
 class Parallel : public testing::Test {
   protected:
@@ -62,17 +66,26 @@ TEST_F(Parallel, RunsOnAsManyThreadsAsSet) {
     for (int threads : {1, 2, 5}) {
         SetThreadCount(threads);
         EXPECT_EQ(ThreadCount(), threads);
+        // Each waits for all others: fewer threads would never get there.
         std::mutex mutex;
+        std::condition_variable all_are_here;
         std::set<std::thread::id> seen;
-        ParallelFor(40, 1, [&](std::int64_t, std::int64_t) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        ParallelFor(threads, 1, [&](std::int64_t, std::int64_t) {
+            std::unique_lock lock(mutex);
+            seen.insert(std::this_thread::get_id());
+            all_are_here.notify_all();
+            EXPECT_TRUE(all_are_here.wait_for(lock, kPatience,
+                                              [&] { return int(seen.size()) == threads; }));
+        });
+        EXPECT_EQ(int(seen.size()), threads);
+        if (threads == 1) {
+            EXPECT_EQ(seen, std::set{std::this_thread::get_id()});
+        }
+        ParallelFor(1000, 1, [&](std::int64_t, std::int64_t) {
             const std::lock_guard lock(mutex);
             seen.insert(std::this_thread::get_id());
         });
         EXPECT_LE(int(seen.size()), threads);
-        if (threads == 1) {
-            EXPECT_EQ(seen, std::set{std::this_thread::get_id()});
-        }
     }
 }
 
@@ -94,13 +107,26 @@ TEST_F(Parallel, ThrowsWhatABodyThrows) {
 
 TEST_F(Parallel, NoBodyRunsAfterTheExceptionIsOut) {
     SetThreadCount(2);
+    // The second goes on for a while after the first has thrown, which it does not do alone.
     std::atomic<int> running = 0;
-    EXPECT_THROW(ParallelFor(100, 1,
+    std::atomic<bool> both = false, thrown = false;
+    const auto wait = [](const std::atomic<bool>& event) {
+        const auto end = std::chrono::steady_clock::now() + kPatience;
+        while (!event && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+        EXPECT_TRUE(event);
+    };
+    EXPECT_THROW(ParallelFor(2, 1,
                              [&](std::int64_t begin, std::int64_t) {
-                                 ++running;
-                                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                                 if (++running == 2) both = true;
+                                 wait(both);
+                                 if (begin == 0) {
+                                     --running;
+                                     thrown = true;
+                                     throw Error("");
+                                 }
+                                 wait(thrown);
+                                 for (int k = 0; k < 10000; ++k) std::this_thread::yield();
                                  --running;
-                                 if (begin == 0) throw Error("");
                              }),
                  Error);
     EXPECT_EQ(running, 0);

@@ -27,8 +27,8 @@ class Memory : public TempFolder, public testing::WithParamInterface<const char*
 #ifndef __SANITIZE_ADDRESS__
 TEST_P(Memory, TooLittleIsStatus3) {
     for (const std::uint64_t mebibytes : {200, 260, 320, 400, 460, 520, 600, 700}) {
-        const Ended ended = RunPlumb(Words(GetParam()),
-                                     {.folder = folder_, .memory_bytes = mebibytes << 20}, 60);
+        const Ended ended =
+            RunPlumb(Words(GetParam()), {.folder = folder_, .memory_bytes = mebibytes << 20});
         // 127: not even the program and its libraries fit.
         EXPECT_THAT(ended.status, AnyOf(0, 3, 127)) << mebibytes << " MiB: " << ended.errors;
         EXPECT_TRUE(ended.status == 0 || !ended.errors.empty()) << mebibytes << " MiB";

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 namespace plumb {
@@ -77,6 +78,7 @@ Program::Program(const std::vector<std::string>& arguments, const Circumstances&
     for (std::string& text : texts) words.push_back(text.data());
     words.push_back(nullptr);
     pid_ = fork();
+    if (pid_ < 0) throw std::runtime_error("cannot start a process");
     if (pid_ == 0) Become(std::move(words), with, output_, errors_);
 }
 
@@ -91,6 +93,7 @@ Program::~Program() {
 }
 
 void Program::Send(int signal) const {
+    if (pid_ <= 0) throw std::logic_error("it has ended: its number may be another's");
     kill(pid_, signal);
 }
 

@@ -53,9 +53,10 @@ class Program {
     std::filesystem::path output_, errors_;
 };
 
-/// From start to end, in at most `patience_s`.
+/// From start to end, in at most `patience_s`: long, for a machine that others use too. How quick
+/// the program is, its seconds of processor say.
 Ended RunPlumb(const std::vector<std::string>& arguments, const Circumstances& circumstances,
-               double patience_s = 60);
+               double patience_s = 300);
 
 /// The words of a command line.
 std::vector<std::string> Words(const std::string& line);

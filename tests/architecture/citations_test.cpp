@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
 
 namespace plumb {
 namespace {
@@ -66,6 +70,24 @@ TEST(Equations, EveryRowNamesATestThatExists) {
             EXPECT_TRUE(tests.contains(test)) << row.equation << ": no test " << test;
         }
     }
+}
+
+// Also in tables of what no paper has.
+TEST(Equations, ThePageNamesFilesAndTestsThatExist) {
+    const std::string page = TextOf(kPage);
+    const std::set<std::string> tests = AllTests();
+    std::set<std::string> files;
+    for (const SourceFile& source : RoomSources()) files.insert(source.path);
+    const std::regex name(
+        "`([A-Z][A-Za-z0-9]+\\.[A-Z][A-Za-z0-9]+|[a-z_0-9]+/[a-z_0-9/]+\\.(?:h|cpp))`");
+    int named = 0;
+    for (std::sregex_iterator it(page.begin(), page.end(), name), end; it != end; ++it) {
+        const std::string what = (*it)[1];
+        if (what.starts_with("tests/")) continue;
+        EXPECT_TRUE(tests.contains(what) || files.contains(what)) << what;
+        ++named;
+    }
+    EXPECT_GT(named, 50);
 }
 
 TEST(Equations, AreCitedInOneForm) {

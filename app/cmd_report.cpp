@@ -34,13 +34,12 @@ void RunOne(const Options& o, const LoadedScene& loaded, const std::filesystem::
     job.guard_px = o.view.guard_px;
     job.seed = o.common.seed;
     job.pictures = folder / "pictures";
-    const SceneReport report = ReportScene(loaded, job, ContextOf(o.common, monitor));
+    const doc::Document report = ReportScene(loaded, job, ContextOf(o.common, monitor));
     const std::filesystem::path page = WriteSceneReport(folder, report);
     if (o.common.json) {
-        std::cout << ToJsonText(report);
+        std::cout << doc::ToJsonText(report);
     } else if (!o.common.quiet) {
-        WriteTable(std::cout, report);
-        std::cout << "\nReport: " << page.string() << "\n";
+        std::cout << doc::ToTerminal(InBrief(report)) << "\nReport: " << page.string() << "\n";
     }
 }
 
@@ -65,7 +64,7 @@ void Add(CLI::App& program) {
         "Score screen-space techniques against the path-traced truth of every camera of a\n"
         "scene: errors with their uncertainties, and of the first camera an error budget,\n"
         "error against run time, times pass by pass.\n"
-        "Writes report.html, report.json, scores.csv, sweep.csv and pictures.");
+        "Writes report.html, report.json, report.csv, scores.csv, sweep.csv and pictures.");
     command
         ->add_option("scenes", o->scenes,
                      "scene.json files, or generated scenes such as atrium (docs/scenes.md)")

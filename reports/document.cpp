@@ -65,6 +65,7 @@ Document WithoutTimes(Document document) {
         std::erase_if(section.facts,
                       [](const Fact& fact) { return fact.what.role == Role::kTime; });
         std::erase_if(section.plots, [](const Plots& plots) { return plots.of_times; });
+        std::erase_if(section.tables, [](const Table& table) { return table.of_times; });
         for (Table& table : section.tables) RemoveTimes(table);
     });
     return document;

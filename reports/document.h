@@ -52,6 +52,7 @@ struct Column {
     Better better = Better::kNeither;
     std::string meaning = {};  ///< One line: how it is defined.
     bool detail = false;       ///< For machines: page and terminal leave it out.
+    bool interval = false;     ///< People see its interval, not its standard error.
 };
 
 struct Table {
@@ -70,6 +71,11 @@ struct Table {
     /// Long, and for machines: JSON lists it column by column; page, terminal and the CSV of the
     /// document leave it out.
     bool data = false;
+    bool of_times = false;  ///< Which rows there are differs from run to run.
+
+    /// Keys of two columns that a page draws above it: by how much each row raises or lowers the
+    /// first, with the second as a tick. Empty = no drawing.
+    std::string steps = {}, ticks = {};
 
     /// Throws std::logic_error if there are not as many cells as columns.
     void Add(std::vector<Cell> row);

@@ -7,25 +7,32 @@
 #include "reports/render.h"
 #include "reports/sentence.h"
 #include "reports/text.h"
+#include "reports/waterfall.h"
 
 namespace plumb::doc {
 namespace {
 
-std::string WithUnit(const std::string& text, const std::string& unit) {
-    return unit.empty() ? text : text + " " + unit;
-}
-
 const char* Arrow(Better better) {
     return better == Better::kLess ? " ↓" : better == Better::kMore ? " ↑" : "";
+}
+
+/// The text of a cell, an interval in small letters.
+std::string CellHtml(const Column& column, const Cell& cell) {
+    const std::string text = CellText(column, cell);
+    const std::size_t open = text.find(" (");
+    if (!std::holds_alternative<Measured>(cell) || open == std::string::npos) return Html(text);
+    return Html(text.substr(0, open)) + " <span class=\"spread\">" +
+           Html(text.substr(open + 1)) + "</span>";
 }
 
 std::string FactsHtml(const std::vector<Fact>& facts) {
     if (facts.empty()) return {};
     std::string html = "<div class=\"tiles\">\n";
     for (const Fact& fact : facts) {
-        const std::string value = WithUnit(CellText(fact.what, fact.value), fact.what.unit);
-        html += "<div class=\"tile\"><b>" + Html(value) + "</b><span title=\"" +
-                Html(fact.what.meaning) + "\">" + Html(fact.what.title) + "</span></div>\n";
+        const std::string unit = fact.what.unit.empty() ? "" : " " + Html(fact.what.unit);
+        html += "<div class=\"tile\"><b>" + CellHtml(fact.what, fact.value) + unit +
+                "</b><span title=\"" + Html(fact.what.meaning) + "\">" + Html(fact.what.title) +
+                "</span></div>\n";
     }
     return html + "</div>\n";
 }
@@ -50,9 +57,24 @@ std::vector<double> Behind(const Table& table, std::size_t c) {
     return behind;
 }
 
+std::string StepsHtml(const Table& table) {
+    if (table.steps.empty()) return {};
+    std::vector<WaterfallStep> steps;
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+        steps.push_back({CellText(table.columns[0], table.rows[r][0]),
+                         NumberOf(table.At(r, table.steps)),
+                         NumberOf(table.At(r, table.ticks))});
+    }
+    const auto title = [&](const std::string& key) {
+        return std::ranges::find(table.columns, key, &Column::key)->title;
+    };
+    return WaterfallSvg(steps, title(table.steps), title(table.ticks));
+}
+
 std::string TableHtml(const Table& table) {
     std::string html;
     if (!table.title.empty()) html += "<h3>" + Html(table.title) + "</h3>\n";
+    html += StepsHtml(table);
     html += "<div class=\"table\"><table id=\"" + Html(table.key) + "\">\n<thead><tr>";
     const auto is_text = [&](std::size_t c) {
         return table.columns[c].role == Role::kName ||
@@ -84,7 +106,7 @@ std::string TableHtml(const Table& table) {
             if (!std::isnan(b)) html += " style=\"background:" + HeatColor(b) + "\"";
             const std::string exact = Exact(NumberOf(row[c]));
             if (!exact.empty()) html += " data-value=\"" + exact + "\"";
-            html += ">" + Html(text) + "</td>";
+            html += ">" + CellHtml(table.columns[c], row[c]) + "</td>";
         }
         html += "</tr>\n";
     }
@@ -134,7 +156,9 @@ std::string SectionHtml(const Section& section, PlotSheet& sheet) {
 std::string ProvenanceHtml(const Provenance& provenance) {
     std::string html = "<pre class=\"command\">" + Html(provenance.command) +
                        "</pre>\n<p>plumb " + Html(provenance.version) + ", seed " +
-                       std::to_string(provenance.seed) + ".</p>\n";
+                       std::to_string(provenance.seed) +
+                       ". The same command gives the same figures to the last digit, on any "
+                       "number of threads; only times differ.</p>\n";
     for (const Input& input : provenance.inputs) {
         html += "<p>" + Html(input.name) + ": SHA-256 <code>" + Html(input.sha256) +
                 "</code></p>\n";

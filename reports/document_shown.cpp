@@ -61,11 +61,16 @@ Table SideBySide(const Table& table, std::size_t across, std::size_t v) {
 }  // namespace
 
 std::vector<Table> Shown(const Table& table) {
+    // What is drawn stays, whatever it holds.
+    const auto drawn = [&](const std::string& key) {
+        return !table.steps.empty() && (key == table.steps || key == table.ticks);
+    };
     const auto holds = [&](std::size_t c) {
-        return std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
-            return std::holds_alternative<std::string>(row[c]) ||
-                   std::isfinite(NumberOf(row[c]));
-        });
+        return drawn(table.columns[c].key) ||
+               std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+                   return std::holds_alternative<std::string>(row[c]) ||
+                          std::isfinite(NumberOf(row[c]));
+               });
     };
     Table seen = table;
     seen.columns.clear();

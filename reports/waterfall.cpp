@@ -23,7 +23,8 @@ std::string At(const char* attribute, double value) {
 
 }  // namespace
 
-std::string WaterfallSvg(const std::vector<WaterfallStep>& steps) {
+std::string WaterfallSvg(const std::vector<WaterfallStep>& steps, const std::string& value_name,
+                         const std::string& tick_name) {
     double most = 0;
     for (const WaterfallStep& step : steps) most = std::max({most, step.value, step.marked});
     if (!(most > 0)) return {};
@@ -53,8 +54,11 @@ std::string WaterfallSvg(const std::vector<WaterfallStep>& steps) {
     return "<figure class=\"waterfall\"><svg viewBox=\"0 0 " + std::to_string(width) + " " +
            std::to_string(height) +
            "\" font-size=\"13\" role=\"img\" aria-label=\"error after each step\">" + svg +
-           "</svg><figcaption>RMSE after each step: orange where a step adds to it, blue where "
-           "it takes away; the tick is the recalibrated RMSE.</figcaption></figure>\n";
+           "</svg><figcaption>" + Html(value_name) +
+           " after each step: orange where a step adds to it, blue where it takes away; the "
+           "tick "
+           "is the " +
+           Html(tick_name) + ".</figcaption></figure>\n";
 }
 
 }  // namespace plumb

@@ -12,7 +12,9 @@ struct WaterfallStep {
     double marked = 0;  ///< A second figure, drawn as a tick.
 };
 
-/// Inline SVG, one row a step, the first bar from 0; rising bars are warm, falling ones cool.
-std::string WaterfallSvg(const std::vector<WaterfallStep>& steps);
+/// Inline SVG, one row a step, the first bar from 0; rising bars are warm, falling ones cool. The
+/// caption calls the value and the tick by these names.
+std::string WaterfallSvg(const std::vector<WaterfallStep>& steps, const std::string& value_name,
+                         const std::string& tick_name);
 
 }  // namespace plumb

@@ -1,5 +1,6 @@
 #include "techniques/sao.h"
 
+#include "core/names.h"
 #include "screen_space/sao/sao_presets.h"
 #include "techniques/filter_knobs.h"
 
@@ -141,6 +142,13 @@ BoundKnobs<SaoOptions> SaoKnobs() {
         knobs = Together(knobs, more);
     }
     return knobs;
+}
+
+BoundKnob<SaoOptions> SaoKnob(const std::string& name) {
+    const BoundKnobs<O> knobs = SaoKnobs();
+    return FindNamed(
+        knobs, [](const BoundKnob<O>& bound) { return bound.knob.name; }, name,
+        "knob of SAO = " + name);
 }
 
 Falloff FalloffOf(SaoFalloffKind kind) {

@@ -10,6 +10,9 @@ namespace plumb {
 /// Every constant of an SaoOptions.
 BoundKnobs<SaoOptions> SaoKnobs();
 
+/// The one of that name. Throws Error if there is none.
+BoundKnob<SaoOptions> SaoKnob(const std::string& name);
+
 /// The falloff of an estimator; its own bias and divisor left out.
 Falloff FalloffOf(SaoFalloffKind kind);
 

@@ -7,22 +7,23 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "core/run_context.h"
 #include "jobs/screen_space/chosen_technique.h"
+#include "jobs/screen_space/find_closest.h"
 #include "jobs/truth/view_truth.h"
-#include "reports/scene_report.h"
+#include "reports/document.h"
 
 namespace plumb {
 
 struct Sweep {
-    std::vector<SweepPoint> points;
+    doc::Section section;  ///< Tables pareto_front and sweep.
     Closest cheapest;  ///< The fastest within `tolerance` of the least RMSE; ties on the front.
 };
 
 /// `rounds` of every timing; `tolerance` as a share of the least RMSE.
 Sweep SweepTechniques(const TechniqueInput& in, const ViewTruth& truth,
                       std::span<const ChosenTechnique> techniques, int rounds, double tolerance,
-                      const Clock& clock, Monitor& monitor = SilentMonitor());
+                      const RunContext& run);
 
 }  // namespace plumb

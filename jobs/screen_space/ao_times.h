@@ -11,9 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "core/measured.h"
-#include "jobs/screen_space/technique.h"
-#include "reports/scene_report.h"
+#include "core/run_context.h"
+#include "jobs/screen_space/chosen_technique.h"
+#include "jobs/screen_space/time_techniques.h"
+#include "reports/document.h"
 
 namespace plumb {
 
@@ -25,25 +26,20 @@ inline constexpr TimedSize kPaperSizes[] = {
     {1280, 720, 128}, {1920, 1080, 192}, {1920, 1200, 192}, {2560, 1600, 256}};
 inline constexpr TimedSize kFigure5Size = {2560, 1600, 256};
 
-/// A configuration of SAO or of its baseline.
-struct NamedSao {
-    std::string name;
-    SaoOptions options;
-};
+Camera SizedAs(Camera camera, const TimedSize& size);
 
-/// Each of them at each size, in turns.
-std::vector<PassTimes> TimePasses(const Scene& scene, const Camera& camera,
-                                  const RayCaster& caster, std::span<const NamedSao> saos,
-                                  std::span<const TimedSize> sizes, int rounds,
-                                  double copy_bytes_per_second, const Clock& clock,
-                                  Monitor& monitor = SilentMonitor());
+/// "1280 x 720 + 128"
+std::string TextOf(const TimedSize& size);
 
-/// Sampling time of one picture against the radius, 0.1 to 2 m, s = 9; in turns at each radius.
-std::vector<RadiusTime> TimeRadii(const Scene& scene, const Camera& camera,
-                                  const TimedSize& size, int rounds, const Clock& clock,
-                                  Monitor& monitor = SilentMonitor());
+/// Techniques of SAO's family at each size, in turns: tables times, and time_passes with the traffic
+/// of each pass.
+doc::Section TimePasses(const Scene& scene, const Camera& camera, const RayCaster& caster,
+                        std::span<const ChosenTechnique> saos, std::span<const TimedSize> sizes,
+                        int rounds, double copy_bytes_per_second, const RunContext& run);
 
-/// Bytes read and written a second by a copy of memory, all threads.
-Measured CopyRate(int rounds, const Clock& clock);
+/// Table radii: sampling time of one picture against the radius, 0.1 to 2 m, s = 9; in turns at each
+/// radius.
+doc::Section TimeRadii(const Scene& scene, const Camera& camera, const TimedSize& size,
+                       int rounds, const RunContext& run);
 
 }  // namespace plumb

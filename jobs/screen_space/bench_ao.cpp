@@ -26,10 +26,9 @@ struct SizeTimes {
     double bytes_per_pixel = 0;
 };
 
-SizeTimes TimeSize(const Scene& scene, Camera camera, const TimedSize& size,
+SizeTimes TimeSize(const Scene& scene, const Camera& camera_as_given, const TimedSize& size,
                    const AoBenchSettings& settings, const RunContext& run) {
-    camera.width_px = size.width_px;
-    camera.height_px = size.height_px;
+    const Camera camera = SizedAs(camera_as_given, size);
     const GBuffer gbuffer = DrawGBuffer(scene, camera, SuitedTo(scene, camera, size.guard_px));
     const SaoOptions sao = SaoWith("supplement2012", {.radius_m = settings.radius_m});
     const SaoOptions alchemy = SaoWith("alchemy", {.radius_m = settings.radius_m});
@@ -43,8 +42,7 @@ SizeTimes TimeSize(const Scene& scene, Camera camera, const TimedSize& size,
     const double bytes = TotalBytes(SaoTraffic(gbuffer, sao));
     MemoryCopy copy{std::size_t(bytes)};
     SaoScratch sao_memory, alchemy_memory;  // As an engine keeps its targets.
-    return {.name = std::to_string(size.width_px) + " x " + std::to_string(size.height_px) +
-                    " + " + std::to_string(size.guard_px),
+    return {.name = TextOf(size),
             .times = TimeInTurns({{.run = [&] { RunSao(gbuffer, sao, sao_memory); }},
                                   {.run = [&] { RunSao(gbuffer, alchemy, alchemy_memory); }},
                                   {.run = [&] { SamplePass(gbuffer, pyramid, near); }},

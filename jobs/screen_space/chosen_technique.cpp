@@ -2,6 +2,11 @@
 
 namespace plumb {
 
+SaoOptions SaoOptionsOf(const ChosenTechnique& chosen) {
+    const std::string& name = chosen.name;
+    return SaoWith(name.starts_with("sao-") ? name.substr(4) : name, chosen.settings);
+}
+
 ChosenTechnique Chosen(const LoadedScene& loaded, const std::string& name,
                        std::optional<double> radius_m, const ValuesByTechnique& set) {
     ChosenTechnique chosen{name, SettingsOf(loaded, name, {})};

@@ -17,6 +17,9 @@ struct ChosenTechnique {
     Technique Made() const { return TechniqueNamed(name, settings); }
 };
 
+/// Its options, if it is of SAO's family.
+SaoOptions SaoOptionsOf(const ChosenTechnique& chosen);
+
 /// `radius_m` and `set` are the command line's; `set` wins. Throws Error if there is no such
 /// technique, or a value that it does not take.
 ChosenTechnique Chosen(const LoadedScene& loaded, const std::string& name,

@@ -5,8 +5,10 @@
 
 #include "core/parallel.h"
 #include "core/time_in_turns.h"
+#include "jobs/bench_facts.h"
 #include "jobs/screen_space/layered_obscurance.h"
-#include "jobs/screen_space/score_technique.h"
+#include "jobs/screen_space/score_columns.h"
+#include "reports/text.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "screen_space/raster/near_plane.h"
 
@@ -66,59 +68,78 @@ class Budget {
     Budget(const ViewTruth& truth, Falloff falloff, int stride_px)
         : near_(truth.near.at(Falloff::kHard)),
           weighted_(truth.near.at(falloff)),
-          mask_(Sparse(RegionsOf(truth).seen, stride_px)) {}
+          mask_(Sparse(RegionsOf(truth).seen, stride_px)),
+          steps{.key = "budget",
+                .columns = {doc::Name("step", "Step"),
+                            {.key = "what", .title = "What is switched on"},
+                            TimeColumn("ms", "Time", "ms"),
+                            {.key = "rms_change",
+                             .title = "Moves",
+                             .meaning = "RMS change of the picture by the step alone"}},
+                .steps = "rmse",
+                .ticks = "recalibrated_rmse"} {
+        AddScoreColumns(steps, {"bias", "rmse", "psnr_db", "recalibrated_rmse"});
+        AddScoreColumns(steps, {"rmse"}, "own_", "To its own: ");
+        // The ideal and the truth come of the same rays: nothing is taken off.
+        Add("ideal", "visibility weighted by the falloff, path-traced", weighted_.value,
+            {near_.value, {}});
+    }
 
     const Mask& Pixels() const { return mask_; }
 
-    BudgetRow Row(std::string step, std::string what, const Image<float>& A) const {
-        BudgetRow row;
-        row.step = std::move(step);
-        row.what = std::move(what);
-        row.score = ScoreOver(A, near_, kTruthNear, "whole", mask_);
-        row.weighted = ScoreOver(A, weighted_, kTruthWeighted, "whole", mask_);
-        row.rms_change = last_.Empty() ? 0 : RmsDifference(A, last_, mask_);
+    std::vector<doc::Cell> Row(std::string step, std::string what, const Image<float>& A,
+                               const TruthImage& near) const {
+        std::vector<doc::Cell> row{std::move(step),
+                                   std::move(what),
+                                   {},
+                                   last_.Empty() ? 0 : RmsDifference(A, last_, mask_)};
+        AddScore(ScoreOver(A, near, kTruthNear, "whole", mask_), row);
+        AddScore(ScoreOver(A, weighted_, kTruthWeighted, "whole", mask_), row);
         return row;
     }
+    std::vector<doc::Cell> Row(std::string step, std::string what,
+                               const Image<float>& A) const {
+        return Row(std::move(step), std::move(what), A, near_);
+    }
 
-    void Add(std::string step, std::string what, const Image<float>& A) {
-        rows.push_back(Row(std::move(step), std::move(what), A));
+    void Add(std::string step, std::string what, const Image<float>& A,
+             const TruthImage& near) {
+        steps.Add(Row(std::move(step), std::move(what), A, near));
         last_ = A;
     }
-
-    void AddIdeal() {
-        Add("ideal", "visibility weighted by the falloff, path-traced", weighted_.value);
-        rows.back().score =
-            ScoreOver(weighted_.value, {near_.value, {}}, kTruthNear, "whole", mask_);
+    void Add(std::string step, std::string what, const Image<float>& A) {
+        Add(std::move(step), std::move(what), A, near_);
     }
-
-    std::vector<BudgetRow> rows;
 
   private:
     const TruthImage& near_;
     const TruthImage& weighted_;
     Mask mask_;
     Image<float> last_;
+
+  public:
+    doc::Table steps;
 };
 
-// The steps after the integrals, each switched on after the other.
+// The steps after the integrals: the switches that are on, each switched on after the other.
 std::vector<WholePicture> StepsTo(const SaoOptions& shipped) {
-    SaoOptions now = shipped;
-    now.sampling.taps.coarsest_level = 0;
-    now.quad_filter = now.pack_rgb8 = now.blur_x = now.blur_y = false;
+    std::vector<BoundKnob<SaoOptions>> switches;
+    for (const char* name : {"pyramid", "quads", "packing", "filter_x", "filter_y"}) {
+        const BoundKnob<SaoOptions> bound = SaoKnob(name);
+        if (bound.get(shipped) != 0) switches.push_back(bound);
+    }
     std::vector<WholePicture> steps;
-    steps.push_back(
-        {"taps", std::to_string(shipped.sampling.taps.samples) + " taps a pixel", now});
-    now.sampling.taps.coarsest_level = shipped.sampling.taps.coarsest_level;
-    steps.push_back({"pyramid", "taps read the z pyramid", now});
-    const auto on = [&](bool SaoOptions::*pass, const char* step, const char* what) {
-        if (!(shipped.*pass)) return;
-        now.*pass = true;
-        steps.push_back({step, what, now});
-    };
-    on(&SaoOptions::quad_filter, "quads", "2 x 2 quads averaged");
-    on(&SaoOptions::pack_rgb8, "RGB8", "A and z packed into 8-bit channels");
-    on(&SaoOptions::blur_x, "filter x", "bilateral filter along x");
-    on(&SaoOptions::blur_y, "filter y", "bilateral filter along y: as shipped");
+    for (std::size_t on = 0; on <= switches.size(); ++on) {
+        SaoOptions now = shipped;
+        for (std::size_t k = on; k < switches.size(); ++k) switches[k].set(now, 0);
+        if (on == 0) {
+            steps.push_back(
+                {"taps", std::to_string(shipped.sampling.taps.samples) + " taps a pixel", now});
+        } else {
+            const Knob& knob = switches[on - 1].knob;
+            steps.push_back({knob.name, knob.meaning, now});
+        }
+    }
     return steps;
 }
 
@@ -136,12 +157,11 @@ SaoOptions Integral(const SaoOptions& shipped, int many_taps) {
 
 }  // namespace
 
-ErrorBudget MakeErrorBudget(const SaoOptions& shipped, const Scene& scene, const Camera& camera,
-                            const RayCaster& caster, const ViewTruth& truth,
-                            const BudgetOptions& options, const Clock& clock,
-                            Monitor& monitor) {
+doc::Section MakeErrorBudget(const std::string& technique, const SaoOptions& shipped,
+                             const Scene& scene, const Camera& camera, const RayCaster& caster,
+                             const ViewTruth& truth, const BudgetOptions& options,
+                             const RunContext& run) {
     Budget budget(truth, FalloffOf(shipped.sampling.sao.falloff), options.stride_px);
-    budget.AddIdeal();
     const GBuffer gbuffer =
         DrawGBuffer(scene, camera, SuitedTo(scene, camera, options.guard_px));
     SaoOptions integral = Integral(shipped, options.many_taps);
@@ -153,20 +173,20 @@ ErrorBudget MakeErrorBudget(const SaoOptions& shipped, const Scene& scene, const
         aligned.sampling.taps.hash_shift_px = options.guard_px - wide_px;
         budget.Add("estimator", "the estimator's integral over all layers of depth",
                    Filled(LayeredObscurance({wide, scene, camera, caster}, aligned,
-                                            {.stride_px = options.stride_px}, monitor)));
+                                            {.stride_px = options.stride_px}, run.monitor)));
         budget.Add("one layer", "the depth buffer's nearest surface only",
-                   SparseObscurance(wide, aligned, budget.Pixels(), monitor));
+                   SparseObscurance(wide, aligned, budget.Pixels(), run.monitor));
     }
     budget.Add("border", "no more of a border than the shipped picture's",
-               SparseObscurance(gbuffer, integral, budget.Pixels(), monitor));
+               SparseObscurance(gbuffer, integral, budget.Pixels(), run.monitor));
     integral.sampling.normals = shipped.sampling.normals;
     budget.Add("normals",
                shipped.sampling.normals == NormalSource::kDepth ? "normals made from depth"
                                                                 : "the normals as shipped",
-               SparseObscurance(gbuffer, integral, budget.Pixels(), monitor));
+               SparseObscurance(gbuffer, integral, budget.Pixels(), run.monitor));
 
     std::vector<WholePicture> steps = StepsTo(shipped);
-    const std::size_t first_whole = budget.rows.size();
+    const std::size_t first_whole = budget.steps.rows.size();
     for (const WholePicture& step : steps) {
         budget.Add(step.step, step.what,
                    Shown(SaoObscurance(gbuffer, step.options), gbuffer.view));
@@ -174,9 +194,10 @@ ErrorBudget MakeErrorBudget(const SaoOptions& shipped, const Scene& scene, const
     const GBuffer borderless = DrawGBuffer(scene, camera, SuitedTo(scene, camera, 0));
     SaoOptions without = shipped;
     without.sampling.taps.hash_shift_px = options.guard_px;
-    ErrorBudget result;
-    result.no_border = budget.Row("no border", "as shipped, but without a guard band",
-                                  SaoObscurance(borderless, without));
+    doc::Table no_border{
+        .key = "no_border", .title = "Without a guard band", .columns = budget.steps.columns};
+    no_border.Add(budget.Row("no border", "As shipped, but without a guard band",
+                             SaoObscurance(borderless, without)));
 
     SaoScratch scratch;  // As an engine keeps its targets.
     std::vector<Turn> turns;
@@ -184,14 +205,26 @@ ErrorBudget MakeErrorBudget(const SaoOptions& shipped, const Scene& scene, const
         turns.push_back({[&, &with = step.options] { SaoObscurance(gbuffer, with, scratch); }});
     }
     turns.push_back({[&] { SaoObscurance(borderless, without, scratch); }});
-    const TurnTimes times = TimeInTurns(turns, options.rounds, clock, monitor);
+    const TurnTimes times = TimeInTurns(turns, options.rounds, run.clock, run.monitor);
+    constexpr std::size_t kMs = 2;
     for (std::size_t k = 0; k < steps.size(); ++k) {
-        budget.rows[first_whole + k].seconds = times.Seconds(k);
+        budget.steps.rows[first_whole + k][kMs] = 1e3 * times.Seconds(k);
     }
-    result.no_border.seconds = times.Seconds(steps.size());
-    result.rows = std::move(budget.rows);
-    result.pixels = CountOf(budget.Pixels());
-    return result;
+    no_border.rows[0][kMs] = 1e3 * times.Seconds(steps.size());
+    return {.id = "budget",
+            .title = "Error budget",
+            .sentences =
+                {technique + ", one approximation switched on after the other, " +
+                 Count(options.many_taps) +
+                 " taps in place of an integral. All rows are scored against V within r: the "
+                 "first is what the technique's falloff costs, the last the technique as "
+                 "shipped. *To its own*: against V within r weighted by that falloff."},
+            .facts = {{{.key = "budget_technique", .title = "Technique"}, technique},
+                      {{.key = "budget_pixels", .title = "Pixels scored"},
+                       CountOf(budget.Pixels())},
+                      {{.key = "budget_taps", .title = "Taps in place of an integral"},
+                       options.many_taps}},
+            .tables = {std::move(budget.steps), std::move(no_border)}};
 }
 
 }  // namespace plumb

@@ -5,7 +5,8 @@
 //       estimator   its integral over all layers of depth
 //       one layer   the nearest surface only, a wide border
 //       border      that of the shipped picture
-//       normals, s taps, the z pyramid, 2 x 2 quads, RGB8, the filter along x, along y
+//       normals, s taps, then the switches of SAO that are on: pyramid, quads, packing, the filter
+//       along x and along y
 //
 // Every row is scored against V within r, what a user wants, and beside it against that weighted by
 // the falloff, what the technique means to compute. So the first row is what the falloff costs, each
@@ -19,12 +20,10 @@
 //          their difference: nothing is taken off in the first row.
 #pragma once
 
-#include <optional>
-#include <vector>
-
+#include "core/run_context.h"
 #include "jobs/screen_space/technique.h"
 #include "jobs/truth/view_truth.h"
-#include "reports/scene_report.h"
+#include "reports/document.h"
 
 namespace plumb {
 
@@ -36,15 +35,11 @@ struct BudgetOptions {
     int rounds = 5;                  ///< Of every timing. [1, 1000]
 };
 
-struct ErrorBudget {
-    std::vector<BudgetRow> rows;
-    BudgetRow no_border;
-    std::int64_t pixels = 0;  ///< Scored.
-};
-
-ErrorBudget MakeErrorBudget(const SaoOptions& shipped, const Scene& scene, const Camera& camera,
-                            const RayCaster& caster, const ViewTruth& truth,
-                            const BudgetOptions& options, const Clock& clock,
-                            Monitor& monitor = SilentMonitor());
+/// Tables budget, one row a step, and no_border; the section's own columns of a score are those
+/// against V within r, own_ against the weighted. `technique` is its name for people.
+doc::Section MakeErrorBudget(const std::string& technique, const SaoOptions& shipped,
+                             const Scene& scene, const Camera& camera, const RayCaster& caster,
+                             const ViewTruth& truth, const BudgetOptions& options,
+                             const RunContext& run);
 
 }  // namespace plumb

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "core/time_in_turns.h"
-#include "jobs/screen_space/score_technique.h"
+#include "jobs/bench_facts.h"
+#include "jobs/screen_space/score_columns.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "screen_space/raster/near_plane.h"
 
@@ -22,23 +23,17 @@ std::vector<int> GuardWidths(int height_px, const SaoOptions& options) {
     return widths_px;
 }
 
-std::vector<GuardRow> StudyGuardBand(const Scene& scene, const Camera& camera,
-                                     const ViewTruth& truth, const SaoOptions& options,
-                                     int rounds, const Clock& clock, Monitor& monitor) {
+doc::Section StudyGuardBand(const Scene& scene, const Camera& camera, const ViewTruth& truth,
+                            const SaoOptions& options, int rounds, const RunContext& run) {
     const Mask border = RegionsOf(truth).border;
     const TruthImage& weighted = truth.near.at(FalloffOf(options.sampling.sao.falloff));
     const std::vector<int> widths_px = GuardWidths(camera.height_px, options);
     Rasterizer rasterizer;
     GBuffer gbuffer;  // Its memory, and the passes', are used again, as an engine would.
     SaoScratch scratch;
-    std::vector<GuardRow> rows;
     std::vector<Image<float>> pictures;
     std::vector<Turn> turns;
     for (const int guard_px : widths_px) {
-        GuardRow row;
-        row.share = double(guard_px) / camera.height_px;
-        row.guard_px = guard_px;
-        rows.push_back(std::move(row));
         SaoOptions aligned = options;
         aligned.sampling.taps.hash_shift_px = widths_px.back() - guard_px;
         const auto draw = [&, guard_px] {
@@ -50,17 +45,34 @@ std::vector<GuardRow> StudyGuardBand(const Scene& scene, const Camera& camera,
         turns.push_back({draw});
         turns.push_back({sao});  // Of what was drawn just before it.
     }
-    const TurnTimes times = TimeInTurns(turns, rounds, clock, monitor);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        rows[k].draw_s = times.Seconds(2 * k);
-        rows[k].sao_s = times.Seconds(2 * k + 1);
+    const TurnTimes times = TimeInTurns(turns, rounds, run.clock, run.monitor);
+    doc::Table table{
+        .key = "guard_bands",
+        .columns = {doc::Name("guard_px", "Border"),
+                    {.key = "share_of_height", .title = "Of the height", .digits = 2},
+                    TimeColumn("draw_ms", "G-buffer", "ms"),
+                    TimeColumn("sao_ms", "SAO", "ms"),
+                    RmseColumn("rms_to_widest", "RMS to the widest")}};
+    table.columns[0].unit = "px";
+    AddScoreColumns(table, {"bias", "rmse"});
+    for (std::size_t k = 0; k < widths_px.size(); ++k) {
+        std::vector<doc::Cell> row{widths_px[k], double(widths_px[k]) / camera.height_px,
+                                   1e3 * times.Seconds(2 * k), 1e3 * times.Seconds(2 * k + 1)};
+        if (CountOf(border) > 0) {
+            row.push_back(ScoreErrors(pictures[k], pictures.back(), {}, border).rmse);
+            AddScore(ScoreOver(pictures[k], weighted, kTruthWeighted, "border", border), row);
+        }
+        row.resize(table.columns.size());
+        table.Add(std::move(row));
     }
-    if (CountOf(border) == 0) return rows;
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        rows[k].rms_to_widest = ScoreErrors(pictures[k], pictures.back(), {}, border).rmse;
-        rows[k].border = ScoreOver(pictures[k], weighted, kTruthWeighted, "border", border);
-    }
-    return rows;
+    return {
+        .id = "guard",
+        .title = "The guard band",
+        .sentences = {"Border drawn but not shown, in whole texels of the pyramid, the "
+                      "pattern of taps held to the frame; figures of the pixels within 32 px "
+                      "of the frame, as shipped, against V within r weighted by the falloff. "
+                      "What is left of the RMSE is what lies beyond the frame."},
+        .tables = {std::move(table)}};
 }
 
 }  // namespace plumb

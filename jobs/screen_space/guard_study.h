@@ -11,9 +11,10 @@
 
 #include <vector>
 
+#include "core/run_context.h"
 #include "jobs/screen_space/technique.h"
 #include "jobs/truth/view_truth.h"
-#include "reports/scene_report.h"
+#include "reports/document.h"
 
 namespace plumb {
 
@@ -21,10 +22,9 @@ namespace plumb {
 /// the height.
 std::vector<int> GuardWidths(int height_px, const SaoOptions& options);
 
-/// One row a width. `truth` must hold the falloff of `options`. `rounds` of every timing.
-std::vector<GuardRow> StudyGuardBand(const Scene& scene, const Camera& camera,
-                                     const ViewTruth& truth, const SaoOptions& options,
-                                     int rounds, const Clock& clock,
-                                     Monitor& monitor = SilentMonitor());
+/// Table guard_bands: one row a width. `truth` must hold the falloff of `options`. `rounds` of every
+/// timing.
+doc::Section StudyGuardBand(const Scene& scene, const Camera& camera, const ViewTruth& truth,
+                            const SaoOptions& options, int rounds, const RunContext& run);
 
 }  // namespace plumb

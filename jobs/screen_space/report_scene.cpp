@@ -1,7 +1,7 @@
 #include "jobs/screen_space/report_scene.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <set>
 
 #include "core/error.h"
@@ -12,6 +12,8 @@
 #include "io/data_uri.h"
 #include "io/image_io.h"
 #include "io/whole_file.h"
+#include "jobs/bench_facts.h"
+#include "jobs/memory_copy.h"
 #include "jobs/pictures.h"
 #include "jobs/screen_space/ao_sweep.h"
 #include "jobs/screen_space/chosen_technique.h"
@@ -19,12 +21,12 @@
 #include "jobs/screen_space/guard_study.h"
 #include "jobs/screen_space/pyramid_study.h"
 #include "jobs/screen_space/render_scene.h"
-#include "jobs/screen_space/scene_views.h"
-#include "jobs/screen_space/score_technique.h"
+#include "jobs/screen_space/scene_sections.h"
 #include "jobs/screen_space/signed_picture.h"
-#include "jobs/screen_space/time_techniques.h"
+#include "jobs/write_document.h"
 #include "rays/embree/embree_caster.h"
 #include "rays/leave_surface.h"
+#include "reports/text.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "screen_space/raster/near_plane.h"
 #include "screen_space/sao/sao_presets.h"
@@ -100,47 +102,50 @@ int OtherSpp(const SceneReportJob& job) {
     return job.other_spp.value_or(std::max(kLeastSpp, job.spp / 4));
 }
 
+constexpr double kCheapestWithin = 0.05;
+
+// The sections of all studies; the fastest setting is a finding.
 void AddStudies(const LoadedScene& loaded, const SceneReportJob& job,
-                std::span<const ChosenTechnique> chosen, const SaoOptions& budget,
-                const EmbreeCaster& caster, const MeasuredView& view, SceneReport& report,
+                std::span<const ChosenTechnique> chosen, const ChosenTechnique& budget,
+                const EmbreeCaster& caster, const MeasuredView& view,
+                double copy_bytes_per_second, std::vector<doc::Section>& sections,
                 const RunContext& run) {
     const Scene& scene = loaded.scene;
     const Camera& camera = view.camera;
     const TechniqueInput in{view.gbuffer, scene, camera, caster};
-    const BudgetOptions options{.stride_px = job.budget_stride_px,
-                                .guard_px = view.summary.guard_px,
-                                .rounds = job.rounds};
-    ErrorBudget made = MakeErrorBudget(budget, scene, camera, caster, view.truth, options,
-                                       run.clock, run.monitor);
-    report.budget_technique = BudgetTechnique(job);
-    report.budget_taps = options.many_taps;
-    report.budget_pixels = made.pixels;
-    report.budget = std::move(made.rows);
-    report.no_border = std::move(made.no_border);
-    report.pyramids = StudyPyramid(in, view.truth, budget);
-    report.guards =
-        StudyGuardBand(scene, camera, view.truth, budget, job.rounds, run.clock, run.monitor);
-    Sweep sweep = SweepTechniques(in, view.truth, chosen, job.rounds, report.cheapest_within,
-                                  run.clock, run.monitor);
-    report.sweep = std::move(sweep.points);
-    report.cheapest = std::move(sweep.cheapest);
-    const auto sao = [&](const std::string& technique, const std::string& preset) {
-        return NamedSao{
-            preset, SaoWith(preset, Chosen(loaded, technique, job.radius_m, job.set).settings)};
+    const SaoOptions sao = SaoOptionsOf(budget);
+    sections.push_back(MakeErrorBudget(
+        budget.name, sao, scene, camera, caster, view.truth,
+        {.stride_px = job.budget_stride_px, .guard_px = view.guard_px, .rounds = job.rounds},
+        run));
+    sections.back().sections = {
+        StudyPyramid(in, view.truth, sao),
+        StudyGuardBand(scene, camera, view.truth, sao, job.rounds, run)};
+    Sweep sweep = SweepTechniques(in, view.truth, chosen, job.rounds, kCheapestWithin, run);
+    const auto finding = [&](std::string key, std::string title, std::string text) {
+        sections.front().facts.push_back(
+            {{.key = std::move(key), .title = std::move(title), .role = doc::Role::kTime},
+             std::move(text)});
     };
-    const NamedSao saos[] = {sao(kTimedSao, "supplement2012"), sao(kTimedAlchemy, "alchemy")};
-    report.times = TimePasses(scene, camera, caster, saos, job.sizes, job.rounds,
-                              report.copy_bytes_per_second.value, run.clock, run.monitor);
-    report.radii_width_px = job.radii_size.width_px;
-    report.radii_height_px = job.radii_size.height_px;
-    report.radii = TimeRadii(scene, camera, job.radii_size, job.rounds, run.clock, run.monitor);
-    TemporalOptions temporal = job.flicker;
-    temporal.radius_m = report.radius_m;
-    temporal.seed = job.seed;
-    report.temporal_frames = temporal.frames;
-    report.temporal =
-        StudyFlicker(scene, camera, caster, chosen, temporal, run.clock, run.monitor);
-    report.precision = StudyZPrecision(scene, job.precision, run.monitor);
+    finding("cheapest",
+            "Fastest setting within " + Digits(100 * kCheapestWithin, 2) +
+                " % of the least error of the sweep",
+            sweep.cheapest.name);
+    if (!sweep.cheapest.ties.empty()) {
+        finding("cheapest_ties", "Not told apart from it", Listed(sweep.cheapest.ties));
+    }
+    sections.push_back(std::move(sweep.section));
+    const ChosenTechnique timed[] = {Chosen(loaded, kTimedSao, job.radius_m, job.set),
+                                     Chosen(loaded, kTimedAlchemy, job.radius_m, job.set)};
+    sections.push_back(TimePasses(scene, camera, caster, timed, job.sizes, job.rounds,
+                                  copy_bytes_per_second, run));
+    sections.back().sections = {TimeRadii(scene, camera, job.radii_size, job.rounds, run)};
+    TemporalOptions flicker = job.flicker;
+    flicker.radius_m = job.radius_m.value_or(kReportRadiusM);
+    flicker.seed = job.seed;
+    doc::Section flickering = StudyFlicker(scene, camera, caster, chosen, flicker, run);
+    sections.push_back(StudyZPrecision(scene, job.precision, run.monitor));
+    sections.push_back(std::move(flickering));
 }
 
 }  // namespace
@@ -168,45 +173,32 @@ void Validate(const SceneReportJob& job) {
     }
 }
 
-SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
-                        const RunContext& run) {
+doc::Document ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
+                          const RunContext& run) {
     Validate(job);
     const Scene& scene = loaded.scene;
     const std::vector<Camera> cameras = CamerasOf(scene, job);
     std::vector<ChosenTechnique> chosen;
     std::vector<Technique> techniques;
+    std::vector<std::string> running;
     for (const std::string& name : job.techniques.empty() ? TechniqueNames() : job.techniques) {
         chosen.push_back(Chosen(loaded, name, job.radius_m, job.set));
         techniques.push_back(chosen.back().Made());
+        running.push_back(name);
     }
-    std::vector<std::string> running;
-    for (const ChosenTechnique& one : chosen) running.push_back(one.name);
     if (job.studies)
         running.insert(running.end(), {BudgetTechnique(job), kTimedSao, kTimedAlchemy});
     CheckSetIsOf(job.set, running);
-    const SaoOptions budget = SaoWith(
-        job.budget, Chosen(loaded, BudgetTechnique(job), job.radius_m, job.set).settings);
-
-    SceneReport report;
-    report.tool_version = run.version;
-    report.command = run.command;
-    report.scene = scene.name;
-    report.scene_sha256 = loaded.digest;
-    report.threads = ThreadCount();
-    report.rounds = job.rounds;
-    report.seed = job.seed;
-    report.radius_m = job.radius_m.value_or(kReportRadiusM);
-    report.notes = loaded.notes;
+    const ChosenTechnique budget = Chosen(loaded, BudgetTechnique(job), job.radius_m, job.set);
+    const double radius_m = job.radius_m.value_or(kReportRadiusM);
 
     const EmbreeCaster caster(scene);
-    report.triangles = caster.Counts().triangles;
     std::vector<MeasuredView> views;
     for (const Camera& camera : cameras) {
         const int spp = views.empty() ? job.spp : OtherSpp(job);
         views.push_back(MeasureView(scene, camera, GuardPx(job.guard_px, camera.height_px),
-                                    caster, FalloffsOf(techniques, budget),
-                                    {.radius_m = report.radius_m, .spp = spp, .seed = job.seed},
-                                    run.clock, run.monitor));
+                                    caster, FalloffsOf(techniques, SaoOptionsOf(budget)),
+                                    {.radius_m = radius_m, .spp = spp, .seed = job.seed}, run));
     }
     const MeasuredView& first = views.front();
     const TruthImage& near = first.truth.near.at(Falloff::kHard);
@@ -217,38 +209,45 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
         WritePreview(small, Smaller(image, kMostPictureColumns));
         return PngDataUri(small);
     };
-    for (const MeasuredView& view : views) report.views.push_back(view.summary);
-    report.views.front().truth.picture_V = picture("truth_v", first.truth.V.value);
-    report.views.front().truth.picture_near = picture("truth_near", near.value);
-    report.embree_rays_per_second =
+    doc::Section truth = TruthSection(views, radius_m);
+    if (!job.pictures.empty()) {
+        truth.pictures = {{picture("truth_v", first.truth.V.value), "V", "V"},
+                          {picture("truth_near", near.value), "V within r",
+                           "V within r = " + Digits(radius_m) + " m"}};
+    }
+    const Measured rays_per_second =
         BareRaysPerSecond(caster, scene, first.truth.pixels, job.rounds, run.clock);
-    report.copy_bytes_per_second = CopyRate(job.rounds, run.clock);
+    MemoryCopy copy(kLargeCopyBytes);
+    const Measured copy_bytes_per_second =
+        TimeInTurns({{std::ref(copy)}}, job.rounds, run.clock).Rate(0, copy.Bytes());
     Rasterizer rasterizer;
     GBuffer again;
     const auto draw = [&] {
         DrawGBuffer(rasterizer, scene, first.camera,
-                    SuitedTo(scene, first.camera, first.summary.guard_px), again);
+                    SuitedTo(scene, first.camera, first.guard_px), again);
     };
-    report.raster_s = TimeInTurns({{draw}}, job.rounds, run.clock, run.monitor).Seconds(0);
+    const Measured raster_s =
+        TimeInTurns({{draw}}, job.rounds, run.clock, run.monitor).Seconds(0);
 
     const TechniqueInput in{first.gbuffer, scene, first.camera, caster};
     std::vector<TechniqueTurn> turns;
     for (const Technique& technique : techniques) turns.push_back({&technique, &in});
     std::vector<TimedTechnique> timed =
         TimeTechniques(turns, job.rounds, run.clock, run.monitor);
+    SceneScores scores;
     for (std::size_t t = 0; t < techniques.size(); ++t) {
-        TechniqueScore score;
-        score.name = techniques[t].name;
-        score.falloff = NameOf(techniques[t].falloff);
-        score.samples = techniques[t].samples;
-        score.passes = timed[t].passes;
-        score.seconds = timed[t].seconds;
-        score.picture = picture(score.name, timed[t].A);
-        score.signed_error = picture(score.name + "_error",
-                                     SignedPicture(timed[t].A, near.value, first.regions.seen));
-        report.techniques.push_back(std::move(score));
+        const Technique& technique = techniques[t];
+        const Image<float>& A = timed[t].A;
+        scores.techniques.push_back(
+            {.name = technique.name,
+             .falloff = technique.falloff,
+             .samples = technique.samples,
+             .timed = timed[t],
+             .picture = picture(technique.name, A),
+             .signed_error = picture(technique.name + "_error",
+                                     SignedPicture(A, near.value, first.regions.seen))});
     }
-    ViewBoard board(report.techniques);
+    ViewBoard board(scores);
     double done = 0;
     for (std::size_t v = 0; v < views.size(); ++v) {
         for (std::size_t t = 0; t < techniques.size(); ++t) {
@@ -262,26 +261,58 @@ SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
                         .A,
                     views[v].gbuffer.view);
             }
-            board.Add(t, views[v], techniques[t].falloff, std::move(A));
+            board.Add(t, views[v], std::move(A));
             run.monitor.Progress("scores",
                                  ++done / double(views.size()) / double(techniques.size()));
         }
     }
-    board.Finish(views, report);
+    board.Finish(views);
+
+    truth.facts = {{{.key = "radius_m", .title = "Radius r", .unit = "m"}, radius_m},
+                   {{.key = "triangles", .title = "Triangles"}, caster.Counts().triangles}};
+    doc::Section scored = ScoresSection(views, scores, job.rounds);
+    doc::Section machine{.id = "machine", .title = "This machine", .folded = true};
+    machine.facts = BenchFacts(ThreadCount(), job.rounds);
+    machine.facts.insert(machine.facts.end(),
+                         {{TimeColumn("raster_ms", "One G-buffer", "ms"), 1e3 * raster_s},
+                          {TimeColumn("copy_gb_per_s", "Copying memory, read and written",
+                                      "GB/s", doc::Better::kMore),
+                           1e-9 * copy_bytes_per_second},
+                          {TimeColumn("mrays_per_s", "Bare occlusion rays in this scene", "M/s",
+                                      doc::Better::kMore),
+                           1e-6 * rays_per_second}});
+    scored.sections.push_back(std::move(machine));
+    doc::Document report{.kind = "scene_report",
+                         .title = "Ambient obscurance of " + scene.name,
+                         .subtitle = ViewsText(views) + ", radius " + Digits(radius_m) + " m",
+                         .provenance = doc::ProvenanceOf(run)};
+    report.provenance.seed = job.seed;
+    report.provenance.inputs = {{scene.name, loaded.digest}};
+    report.sections = {FindingsSection(views, scores, loaded.notes), std::move(truth),
+                       std::move(scored), PicturesSection(first, scores)};
     if (job.studies) {
-        AddStudies(loaded, job, chosen, budget, caster, first, report, run);
+        AddStudies(loaded, job, chosen, budget, caster, first, copy_bytes_per_second.value,
+                   report.sections, run);
     }
     return report;
 }
 
+doc::Document InBrief(doc::Document report) {
+    std::erase_if(report.sections, [](const doc::Section& section) {
+        return section.id != "findings" && section.id != "scores";
+    });
+    for (doc::Section& section : report.sections) section.sections.clear();
+    return report;
+}
+
 std::filesystem::path WriteSceneReport(const std::filesystem::path& folder,
-                                       const SceneReport& report) {
-    WriteWholeFile(folder / "report.json", ToJsonText(report));
-    WriteWholeFile(folder / "scores.csv", ScoresCsv(report));
-    WriteWholeFile(folder / "sweep.csv", SweepCsv(report));
-    const std::filesystem::path page = folder / "report.html";
-    WriteWholeFile(page, ToHtml(report));
-    return page;
+                                       const doc::Document& report) {
+    WriteWholeFile(folder / "scores.csv", doc::ToCsv(doc::TableOf(report, "scores")));
+    for (const doc::Section& section : report.sections) {
+        if (section.id != "sweep") continue;
+        WriteWholeFile(folder / "sweep.csv", doc::ToCsv(doc::TableOf(report, "sweep")));
+    }
+    return WriteDocument(folder, report);
 }
 
 }  // namespace plumb

@@ -19,7 +19,7 @@
 #include "jobs/screen_space/temporal_study.h"
 #include "jobs/screen_space/z_precision.h"
 #include "jobs/truth/load_scene.h"
-#include "reports/scene_report.h"
+#include "reports/document.h"
 
 namespace plumb {
 
@@ -52,11 +52,15 @@ inline constexpr double kReportRadiusM = 1.5;
 /// Throws Error, naming field, value and rule.
 void Validate(const SceneReportJob& job);
 
-SceneReport ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
-                        const RunContext& run);
+doc::Document ReportScene(const LoadedScene& loaded, const SceneReportJob& job,
+                          const RunContext& run);
 
-/// report.html, report.json, scores.csv and sweep.csv. Returns the page's path.
+/// What a terminal shows of it: the findings and the table of techniques. The rest is long.
+doc::Document InBrief(doc::Document report);
+
+/// report.html, report.json, report.csv, scores.csv and, with studies, sweep.csv. Returns the page's
+/// path.
 std::filesystem::path WriteSceneReport(const std::filesystem::path& folder,
-                                       const SceneReport& report);
+                                       const doc::Document& report);
 
 }  // namespace plumb

@@ -15,13 +15,19 @@
 // Cost     one lookup a tap, on all cores: some seconds at 2560 x 1600.
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "reports/scene_report.h"
 #include "screen_space/gbuffer.h"
 #include "screen_space/sao/sao_passes.h"
 
 namespace plumb {
+
+/// What a pass reads and writes, each datum once.
+struct PassBytes {
+    std::string name;
+    double read = 0, written = 0;
+};
 
 /// In the order and with the names of the passes as they are timed.
 std::vector<PassBytes> SaoTraffic(const GBuffer& gbuffer, const SaoOptions& options);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/error.h"
 #include "score/over_views.h"
 #include "score/recalibration.h"
 #include "score/ssim.h"
@@ -23,6 +24,20 @@ std::string NameOf(Falloff falloff) {
             return "far end";
     }
     return "";
+}
+
+const ScoreAgainst* FindScore(const std::vector<ScoreAgainst>& scores, const std::string& truth,
+                              const std::string& region) {
+    const auto found = std::ranges::find_if(scores, [&](const ScoreAgainst& score) {
+        return score.truth == truth && score.region == region;
+    });
+    return found == scores.end() ? nullptr : &*found;
+}
+
+const ScoreAgainst& Against(const std::vector<ScoreAgainst>& scores, const std::string& truth,
+                            const std::string& region) {
+    if (const ScoreAgainst* score = FindScore(scores, truth, region)) return *score;
+    throw Error("no score against \"" + truth + "\", region \"" + region + "\"");
 }
 
 Regions RegionsOf(const ViewTruth& truth) {
@@ -70,21 +85,17 @@ std::vector<ScoreAgainst> ScoreAll(const Image<float>& A, const ViewTruth& truth
 
 std::vector<ScoreAgainst> OverViews(std::span<const ViewScores> views) {
     std::vector<ScoreAgainst> all;
-    const auto is_of = [](const ScoreAgainst& a) {
-        return
-            [&a](const ScoreAgainst& b) { return a.truth == b.truth && a.region == b.region; };
-    };
     for (const ViewScores& view : views) {
         for (const ScoreAgainst& score : view.scores) {
-            if (std::ranges::any_of(all, is_of(score))) continue;
+            if (FindScore(all, score.truth, score.region)) continue;
             std::vector<ErrorScore> errors;
             std::vector<Measured> ssims, recalibrated;
             for (const ViewScores& other : views) {
-                const auto found = std::ranges::find_if(other.scores, is_of(score));
-                if (found == other.scores.end()) continue;
-                errors.push_back(found->error);
-                ssims.push_back(found->ssim);
-                recalibrated.push_back(found->recalibrated_rmse);
+                const ScoreAgainst* same = FindScore(other.scores, score.truth, score.region);
+                if (same == nullptr) continue;
+                errors.push_back(same->error);
+                ssims.push_back(same->ssim);
+                recalibrated.push_back(same->recalibrated_rmse);
             }
             all.push_back({score.truth, score.region, ScoreOverViews(errors),
                            MeanOverViews(ssims), RootMeanSquareOverViews(recalibrated)});

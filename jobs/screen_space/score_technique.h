@@ -7,7 +7,7 @@
 
 #include "core/image.h"
 #include "jobs/truth/view_truth.h"
-#include "reports/scene_report.h"
+#include "score/errors.h"
 #include "score/regions.h"
 
 namespace plumb {
@@ -17,6 +17,29 @@ inline const std::string kTruthV = "V", kTruthNear = "V within r",
                          kTruthWeighted = "V within r, weighted";
 
 std::string NameOf(Falloff falloff);
+
+/// One picture against one truth.
+struct ScoreAgainst {
+    std::string truth;   ///< One of the names above.
+    std::string region;  ///< "whole", "edges", "interiors", "border"
+    ErrorScore error;
+    Measured ssim;
+    Measured recalibrated_rmse;  ///< Held out: after the best monotone change of contrast.
+};
+
+/// The score against that truth over that region; nullptr if there is none.
+const ScoreAgainst* FindScore(const std::vector<ScoreAgainst>& scores, const std::string& truth,
+                              const std::string& region);
+
+/// The same; throws Error if there is none.
+const ScoreAgainst& Against(const std::vector<ScoreAgainst>& scores, const std::string& truth,
+                            const std::string& region = "whole");
+
+/// What one camera says.
+struct ViewScores {
+    std::string camera;
+    std::vector<ScoreAgainst> scores;
+};
 
 /// Regions of the shown picture, from the truth's own depths and normals.
 Regions RegionsOf(const ViewTruth& truth);

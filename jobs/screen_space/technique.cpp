@@ -9,19 +9,6 @@
 namespace plumb {
 namespace {
 
-// The passes with their pictures, each with the time since the last was kept.
-template <class Run>
-std::vector<Pass> Timed(const Run& run, const PassClock& clock) {
-    std::vector<Pass> passes;
-    double last_s = clock();
-    run([&](std::string_view name, const Image<float>& A) {
-        const double seconds = clock() - last_s;
-        passes.push_back({std::string(name), A, seconds});
-        last_s = clock();
-    });
-    return passes;
-}
-
 KnobValues ValuesOf(const TechniqueSettings& settings) {
     KnobValues values = settings.knobs;
     values["radius_m"] = settings.radius_m;
@@ -70,8 +57,15 @@ Technique TechniqueNamed(const std::string& name, const TechniqueSettings& setti
     Validate(settings);
     const TurnedTechnique turned = FindTechnique(name).with(ValuesOf(settings));
     return {name, turned.falloff, turned.samples,
-            [run = turned.run](const TechniqueInput& in, const PassClock& clock) {
-                return Timed([&](const PassObserver& observer) { run(in, observer); }, clock);
+            [run = turned.run](const TechniqueInput& in, const Clock& clock) {
+                std::vector<Pass> passes;
+                double last_s = clock();
+                run(in, [&](std::string_view pass, const Image<float>& A) {
+                    const double seconds = clock() - last_s;
+                    passes.push_back({std::string(pass), A, seconds});
+                    last_s = clock();  // Since the last was kept.
+                });
+                return passes;
             }};
 }
 
@@ -83,19 +77,6 @@ SaoOptions SaoWith(const std::string& preset, const TechniqueSettings& settings)
         if (given != values.end()) bound.set(options, given->second);
     }
     return options;
-}
-
-Technique SaoTechnique(std::string name, const SaoOptions& options) {
-    return {std::move(name), FalloffOf(options.sampling.sao.falloff),
-            options.sampling.taps.samples,
-            [options](const TechniqueInput& in, const PassClock& clock) {
-                SaoScratch scratch;
-                return Timed(
-                    [&](const PassObserver& observer) {
-                        RunSao(in.gbuffer, options, scratch, observer);
-                    },
-                    clock);
-            }};
 }
 
 TechniqueSettings SettingsOf(const LoadedScene& loaded, const std::string& name,
@@ -147,12 +128,6 @@ TechniqueSettings Over(TechniqueSettings settings, const std::string& technique,
     over.filter = taken("filter", 1) != 0;
     over.knobs = std::move(all);
     return over;
-}
-
-double TotalSeconds(const std::vector<Pass>& passes) {
-    double seconds = 0;
-    for (const Pass& pass : passes) seconds += pass.seconds;
-    return seconds;
 }
 
 }  // namespace plumb

@@ -34,13 +34,11 @@ struct Pass {
     double seconds = 0;  ///< Wall clock, all threads.
 };
 
-using PassClock = Clock;
-
 struct Technique {
     std::string name;
     Falloff falloff = Falloff::kHard;
     int samples = 0;  ///< Depth lookups, or rays, a pixel.
-    std::function<std::vector<Pass>(const TechniqueInput&, const PassClock&)> run;
+    std::function<std::vector<Pass>(const TechniqueInput&, const Clock&)> run;
 };
 
 /// What a caller may change in a technique.
@@ -61,9 +59,6 @@ std::vector<std::string> TechniqueNames();
 
 /// Throws Error, listing the names, if there is none of that name.
 Technique TechniqueNamed(const std::string& name, const TechniqueSettings& settings = {});
-
-/// One configuration of SAO as a technique.
-Technique SaoTechnique(std::string name, const SaoOptions& options);
 
 /// A preset of SAO with that radius, and taps where settings name them.
 SaoOptions SaoWith(const std::string& preset, const TechniqueSettings& settings);
@@ -86,8 +81,6 @@ void CheckSetIsOf(const ValuesByTechnique& set, const std::vector<std::string>& 
 /// The values over the settings: they win.
 TechniqueSettings Over(TechniqueSettings settings, const std::string& technique,
                        const KnobValues& values);
-
-double TotalSeconds(const std::vector<Pass>& passes);
 
 /// The part of a drawn picture that is shown.
 template <class T>

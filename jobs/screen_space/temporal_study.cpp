@@ -3,7 +3,8 @@
 #include "core/camera.h"
 #include "core/error.h"
 #include "core/sobol.h"
-#include "jobs/screen_space/score_technique.h"
+#include "jobs/screen_space/score_columns.h"
+#include "score/temporal.h"
 #include "screen_space/raster/draw_gbuffer.h"
 #include "screen_space/raster/near_plane.h"
 
@@ -23,11 +24,9 @@ Camera Turned(const Camera& camera, const Vec2& shift_px) {
 
 }  // namespace
 
-std::vector<TemporalRow> StudyFlicker(const Scene& scene, const Camera& camera,
-                                      const RayCaster& caster,
-                                      std::span<const ChosenTechnique> techniques,
-                                      const TemporalOptions& options, const Clock& clock,
-                                      Monitor& monitor) {
+doc::Section StudyFlicker(const Scene& scene, const Camera& camera, const RayCaster& caster,
+                          std::span<const ChosenTechnique> techniques,
+                          const TemporalOptions& options, const RunContext& run) {
     if (options.frames < 2 || options.frames > 1024) {
         throw Error(MustBe("TemporalOptions::frames", options.frames, "in [2, 1024]"));
     }
@@ -53,18 +52,35 @@ std::vector<TemporalRow> StudyFlicker(const Scene& scene, const Camera& camera,
         const GBuffer gbuffer = DrawGBuffer(scene, at, SuitedTo(scene, at, options.guard_px));
         for (std::size_t t = 0; t < techniques.size(); ++t) {
             const std::vector<Pass> passes =
-                techniques[t].Made().run({gbuffer, scene, at, caster}, clock);
+                techniques[t].Made().run({gbuffer, scene, at, caster}, run.clock);
             frames[t].push_back(Shown(passes.back().A, gbuffer.view));
         }
-        if (monitor.Cancelled()) throw Interrupted();
-        monitor.Progress("flicker", double(frame + 1) / options.frames);
+        if (run.monitor.Cancelled()) throw Interrupted();
+        run.monitor.Progress("flicker", double(frame + 1) / options.frames);
     }
-    std::vector<TemporalRow> rows;
+    const auto variance = [](std::string key, std::string title, doc::Better better) {
+        return doc::Column{
+            .key = std::move(key), .title = std::move(title), .unit = "10⁻⁶", .better = better};
+    };
+    doc::Table table{.key = "flicker",
+                     .columns = {doc::Name("technique", "Technique"),
+                                 variance("candidate", "Technique", doc::Better::kNeither),
+                                 variance("truth", "Truth", doc::Better::kNeither),
+                                 variance("flicker", "Flicker", doc::Better::kLess)}};
     for (std::size_t t = 0; t < techniques.size(); ++t) {
-        rows.push_back({techniques[t].name, ScoreTemporal(frames[t], truths, errors, seen,
-                                                          {.truth_dof = kTruthNets - 1.0})});
+        const TemporalScore score =
+            ScoreTemporal(frames[t], truths, errors, seen, {.truth_dof = kTruthNets - 1.0});
+        table.Add({techniques[t].name, 1e6 * score.candidate, 1e6 * score.truth,
+                   1e6 * score.flicker});
     }
-    return rows;
+    return {.id = "flicker",
+            .title = "Flicker",
+            .sentences = {"The camera turns by parts of a pixel. Variance of a pixel over the "
+                          "frames, averaged over the picture: of the technique, of the truth "
+                          "(which changes at edges), and of the error alone: what the eye sees "
+                          "as flicker."},
+            .facts = {{{.key = "frames", .title = "Frames"}, options.frames}},
+            .tables = {std::move(table)}};
 }
 
 }  // namespace plumb

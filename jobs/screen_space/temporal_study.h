@@ -5,10 +5,10 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "core/run_context.h"
 #include "jobs/screen_space/chosen_technique.h"
-#include "reports/scene_report.h"
+#include "reports/document.h"
 
 namespace plumb {
 
@@ -20,10 +20,9 @@ struct TemporalOptions {
     std::uint64_t seed = 1;
 };
 
-std::vector<TemporalRow> StudyFlicker(const Scene& scene, const Camera& camera,
-                                      const RayCaster& caster,
-                                      std::span<const ChosenTechnique> techniques,
-                                      const TemporalOptions& options, const Clock& clock,
-                                      Monitor& monitor = SilentMonitor());
+/// Table flicker: one row a technique.
+doc::Section StudyFlicker(const Scene& scene, const Camera& camera, const RayCaster& caster,
+                          std::span<const ChosenTechnique> techniques,
+                          const TemporalOptions& options, const RunContext& run);
 
 }  // namespace plumb

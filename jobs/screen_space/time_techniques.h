@@ -2,11 +2,12 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
+#include "core/measured.h"
 #include "core/monitor.h"
 #include "jobs/screen_space/technique.h"
-#include "reports/scene_report.h"
 
 namespace plumb {
 
@@ -14,6 +15,11 @@ namespace plumb {
 struct TechniqueTurn {
     const Technique* technique;
     const TechniqueInput* input;
+};
+
+struct PassSeconds {
+    std::string name;
+    Measured seconds;
 };
 
 struct TimedTechnique {

@@ -134,7 +134,7 @@ left out render.exr
 rm -rf out
 expect 0 '' "$plumb" report box_on_plane "${small[@]}" --spp 64 --rounds 1 --no-studies --radius 0.5 \
   --out out --quiet
-left out report.html report.json scores.csv sweep.csv pictures/truth_v.png pictures/gtao-xegtao_error.png
+left out report.html report.json report.csv scores.csv pictures/truth_v.png pictures/gtao-xegtao_error.png
 grep -q '"rays-8"' out/report.json || { echo "FAILED: no rays-8 in the report"; failed=1; }
 ! grep -q "$dir" out/report.json || { echo "FAILED: a path of the machine in a report"; failed=1; }
 

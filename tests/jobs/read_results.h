@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -26,20 +26,6 @@ namespace plumb {
 /// A study's table by its key.
 using ResultTable = doc::Table;
 
-namespace read_results {
-
-inline ResultTable TableWith(std::vector<std::string> keys) {
-    ResultTable table;
-    for (std::string& key : keys) table.columns.push_back({.key = key, .title = key});
-    return table;
-}
-
-inline doc::Cell TimeMs(const std::optional<Measured>& seconds) {
-    return seconds ? doc::Cell(1e3 * *seconds) : doc::Cell();
-}
-
-}  // namespace read_results
-
 inline const Measured& MeasuredAt(const ResultTable& table, std::size_t row,
                                   const std::string& key) {
     return std::get<Measured>(table.At(row, key));
@@ -52,44 +38,51 @@ inline const std::string& TextAt(const ResultTable& table, std::size_t row,
     return std::get<std::string>(table.At(row, key));
 }
 
+namespace read_results {
+
+/// All tables of sections, each before those of the sections within.
+inline void ForEachTable(const std::vector<doc::Section>& sections, const auto& see) {
+    for (const doc::Section& section : sections) {
+        for (const doc::Table& table : section.tables) see(table);
+        ForEachTable(section.sections, see);
+    }
+}
+
+inline ResultTable TableIn(doc::Section section, const std::string& key) {
+    return doc::TableOf({.kind = "study", .title = {}, .sections = {std::move(section)}}, key);
+}
+
+inline RunContext At(const Clock& clock) {
+    return {.clock = clock};
+}
+
+}  // namespace read_results
+
 /// step, ms, rms_change, bias, mse, own_mse; the last row is that without a border.
 inline ResultTable BudgetTable(const SaoOptions& shipped, const Scene& scene,
                                const Camera& camera, const RayCaster& caster,
                                const ViewTruth& truth, const BudgetOptions& options,
                                const Clock& clock) {
-    const ErrorBudget budget =
-        MakeErrorBudget(shipped, scene, camera, caster, truth, options, clock);
-    ResultTable table =
-        read_results::TableWith({"step", "ms", "rms_change", "bias", "mse", "own_mse"});
-    std::vector<BudgetRow> rows = budget.rows;
-    rows.push_back(budget.no_border);
-    for (const BudgetRow& row : rows) {
-        table.Add({row.step, read_results::TimeMs(row.seconds), row.rms_change,
-                   row.score.error.bias, row.score.error.mse, row.weighted.error.mse});
-    }
+    const doc::Section budget = MakeErrorBudget("sao", shipped, scene, camera, caster, truth,
+                                                options, read_results::At(clock));
+    ResultTable table = read_results::TableIn(budget, "budget");
+    table.Add(read_results::TableIn(budget, "no_border").rows.at(0));
     return table;
 }
 
 /// guard_px, draw_ms, sao_ms.
 inline ResultTable GuardTable(const Scene& scene, const Camera& camera, const ViewTruth& truth,
                               const SaoOptions& options, int rounds, const Clock& clock) {
-    ResultTable table = read_results::TableWith({"guard_px", "draw_ms", "sao_ms"});
-    for (const GuardRow& row : StudyGuardBand(scene, camera, truth, options, rounds, clock)) {
-        table.Add({std::int64_t(row.guard_px), 1e3 * row.draw_s, 1e3 * row.sao_s});
-    }
-    return table;
+    return read_results::TableIn(
+        StudyGuardBand(scene, camera, truth, options, rounds, read_results::At(clock)),
+        "guard_bands");
 }
 
 /// radius_m, with_pyramid_ms, without_pyramid_ms, alchemy_ms.
 inline ResultTable RadiiTable(const Scene& scene, const Camera& camera, const TimedSize& size,
                               int rounds, const Clock& clock) {
-    ResultTable table = read_results::TableWith(
-        {"radius_m", "with_pyramid_ms", "without_pyramid_ms", "alchemy_ms"});
-    for (const RadiusTime& row : TimeRadii(scene, camera, size, rounds, clock)) {
-        table.Add({row.radius_m, 1e3 * row.with_pyramid_s, 1e3 * row.without_pyramid_s,
-                   1e3 * row.alchemy_s});
-    }
-    return table;
+    return read_results::TableIn(
+        TimeRadii(scene, camera, size, rounds, read_results::At(clock)), "radii");
 }
 
 struct SweepResults {
@@ -100,15 +93,9 @@ struct SweepResults {
 inline SweepResults SweepTable(const TechniqueInput& in, const ViewTruth& truth,
                                std::span<const ChosenTechnique> techniques, int rounds,
                                double tolerance, const Clock& clock) {
-    const Sweep sweep = SweepTechniques(in, truth, techniques, rounds, tolerance, clock);
-    SweepResults results{
-        read_results::TableWith({"technique", "setting", "ms", "rmse", "pareto"}),
-        sweep.cheapest};
-    for (const SweepPoint& p : sweep.points) {
-        results.points.Add(
-            {p.technique, p.setting, 1e3 * p.seconds, p.rmse, p.on_front ? "yes" : "no"});
-    }
-    return results;
+    Sweep sweep =
+        SweepTechniques(in, truth, techniques, rounds, tolerance, read_results::At(clock));
+    return {read_results::TableIn(std::move(sweep.section), "sweep"), sweep.cheapest};
 }
 
 /// technique, candidate, truth, flicker, in 10^-6.
@@ -116,68 +103,65 @@ inline ResultTable FlickerTable(const Scene& scene, const Camera& camera,
                                 const RayCaster& caster,
                                 std::span<const ChosenTechnique> techniques,
                                 const TemporalOptions& options, const Clock& clock) {
-    ResultTable table = read_results::TableWith({"technique", "candidate", "truth", "flicker"});
-    for (const TemporalRow& row :
-         StudyFlicker(scene, camera, caster, techniques, options, clock)) {
-        table.Add({row.technique, 1e6 * row.score.candidate, 1e6 * row.score.truth,
-                   1e6 * row.score.flicker});
-    }
-    return table;
+    return read_results::TableIn(
+        StudyFlicker(scene, camera, caster, techniques, options, read_results::At(clock)),
+        "flicker");
 }
 
 /// camera, vertices, format, far, z_rms_mm, z_worst_mm, normal_rms_deg, normal_99_deg,
-/// normal_999_deg, normal_worst_deg, within_paper_share, pixels, judged: of JSON and CSV, which
-/// must agree.
+/// normal_999_deg, normal_worst_deg, within_paper_share, pixels, judged; JSON and CSV must agree
+/// with it.
 inline ResultTable DrawnTable(const Scene& scene, const ZPrecisionSettings& settings) {
-    const ZPrecisionReport report = StudyZPrecision(scene, settings);
-    ResultTable table = read_results::TableWith(
-        {"camera", "vertices", "format", "far", "z_rms_mm", "z_worst_mm", "normal_rms_deg",
-         "normal_99_deg", "normal_999_deg", "normal_worst_deg", "within_paper_share", "pixels",
-         "judged"});
-    const auto json = nlohmann::json::parse(ToJsonText(report));
-    std::istringstream csv(DrawnCsv(report));
-    std::string line;
+    const doc::Document document{
+        .kind = "z", .title = {}, .sections = {StudyZPrecision(scene, settings)}};
+    const ResultTable table = doc::TableOf(document, "drawn");
+    const auto json = nlohmann::json::parse(doc::ToJsonText(document));
+    nlohmann::json drawn;
+    for (const auto& section : json["sections"][0]["sections"]) {
+        if (section["tables"][0]["key"] == "drawn") drawn = section["tables"][0]["rows"];
+    }
+    EXPECT_EQ(drawn.size(), table.rows.size());
+    std::istringstream csv(doc::ToCsv(table));
+    std::string line, field;
     std::getline(csv, line);
-    for (const auto& d : json["drawn"]) {
-        const auto text = [&](const char* key) { return d[key].get<std::string>(); };
-        const auto number = [&](const char* key) { return d[key].get<double>(); };
-        std::string expected =
-            text("camera") + "," + text("vertices") + "," + text("format") + "," + text("far");
-        for (const char* key :
-             {"z_rms_m", "z_worst_m", "normal_rms_deg", "normal_99_deg", "normal_999_deg",
-              "normal_worst_deg", "within_paper_share", "pixels", "judged"}) {
-            expected += "," + d[key].dump();
-        }
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
         std::getline(csv, line);
-        EXPECT_EQ(line, expected);
-        table.Add({text("camera"), text("vertices"), text("format"), text("far"),
-                   1e3 * number("z_rms_m"), 1e3 * number("z_worst_m"), number("normal_rms_deg"),
-                   number("normal_99_deg"), number("normal_999_deg"),
-                   number("normal_worst_deg"), number("within_paper_share"), number("pixels"),
-                   number("judged")});
+        std::istringstream fields(line);
+        for (const doc::Column& column : table.columns) {
+            std::getline(fields, field, ',');
+            const nlohmann::json& in_json = drawn[row][column.key];
+            const doc::Cell& cell = table.At(row, column.key);
+            if (const auto* text = std::get_if<std::string>(&cell)) {
+                EXPECT_EQ(field, *text);
+                EXPECT_EQ(in_json, *text);
+            } else {
+                EXPECT_EQ(std::stod(field), doc::NumberOf(cell));
+                EXPECT_EQ(in_json.get<double>(), doc::NumberOf(cell));
+            }
+        }
     }
     return table;
 }
 
 /// host, product, order, clip, format, far, distance_m, rms_mm, worst_mm, mean_mm: of the CSV.
 inline ResultTable ZErrorTable(const Scene& scene, const ZPrecisionSettings& settings) {
-    ResultTable table =
-        read_results::TableWith({"host", "product", "order", "clip", "format", "far",
-                                 "distance_m", "rms_mm", "worst_mm", "mean_mm"});
-    std::istringstream csv(CurvesCsv(StudyZPrecision(scene, settings)));
-    std::string line;
+    const ResultTable table =
+        read_results::TableIn(StudyZPrecision(scene, settings), "z_error");
+    ResultTable read = table;
+    read.rows.clear();
+    std::istringstream csv(doc::ToCsv(table));
+    std::string line, field;
     std::getline(csv, line);
-    EXPECT_EQ(line, "host,matrices,order,clip,format,far,distance_m,rms_m,worst_m,mean_m");
+    EXPECT_EQ(line, "format,far,host,product,order,clip,distance_m,rms_mm,worst_mm,mean_mm");
     while (std::getline(csv, line)) {
         std::istringstream fields(line);
-        std::vector<std::string> texts;
-        for (std::string field; std::getline(fields, field, ',');) texts.push_back(field);
-        const auto number = [&](std::size_t k) { return std::stod(texts.at(k)); };
-        table.Add({texts[0], texts[1] == "three" ? std::string("step by step") : texts[1],
-                   texts[2], texts[3], texts[4], texts[5], number(6), 1e3 * number(7),
-                   1e3 * number(8), 1e3 * number(9)});
+        std::vector<doc::Cell> row;
+        while (std::getline(fields, field, ',')) {
+            row.push_back(row.size() < 6 ? doc::Cell(field) : doc::Cell(std::stod(field)));
+        }
+        read.Add(std::move(row));
     }
-    return table;
+    return read;
 }
 
 /// The whole report of a scene.
@@ -188,69 +172,72 @@ struct ReportResults {
     ResultTable traffic;  ///< technique, size_px, pass, bytes_read, bytes_written
     ResultTable flicker;  ///< As FlickerTable.
     std::string closest, closest_recalibrated;
-    std::string page, terminal;  ///< As people read them; the page with its tags.
+    /// As people read them: the page with its tags, but those of intervals; of the terminal the
+    /// parts of a broken table side by side.
+    std::string page, terminal;
     std::vector<std::pair<std::string, Measured>> times;  ///< Each that is told, with its name.
 };
 
-inline ReportResults ResultsOf(const SceneReport& r) {
-    using read_results::TableWith;
-    ReportResults results{
-        TableWith({"camera", "rms_standard_error_v", "rms_standard_error_near"}),
-        TableWith({"technique", "view", "truth", "region", "ms", "mse", "rmse", "ssim",
-                   "recalibrated_rmse"}),
-        TableWith({"technique", "size_px", "pass", "bytes_read", "bytes_written"}),
-        TableWith({"technique", "candidate", "truth", "flicker"}),
-        r.closest.name,
-        r.closest_recalibrated.name,
-        ToHtml(r),
-        {},
-        {}};
-    std::ostringstream terminal;
-    WriteTable(terminal, r);
-    results.terminal = terminal.str();
-    const auto json = nlohmann::json::parse(ToJsonText(r));
-    for (const auto& view : json["views"]) {
-        results.views.Add({view["camera"].get<std::string>(),
-                           view["truth"]["rms_standard_error_V"].get<double>(),
-                           view["truth"]["rms_standard_error_near"].get<double>()});
+namespace read_results {
+
+inline std::string Without(std::string text, const std::string& what) {
+    for (std::size_t at; (at = text.find(what)) != std::string::npos;) {
+        text.erase(at, what.size());
     }
-    const auto time = [&](std::string name, const Measured& seconds) {
-        results.times.push_back({std::move(name), seconds});
-    };
-    for (const TechniqueScore& t : r.techniques) {
-        time(t.name, t.seconds);
-        for (const PassSeconds& pass : t.passes) time(t.name + " " + pass.name, pass.seconds);
-        const auto add = [&](const std::string& view, const std::vector<ScoreAgainst>& scores) {
-            for (const ScoreAgainst& s : scores) {
-                results.scores.Add({t.name, view, s.truth, s.region, 1e3 * t.seconds,
-                                    s.error.mse, s.error.rmse, s.ssim, s.recalibrated_rmse});
-            }
-        };
-        add("all views", t.scores);
-        for (const ViewScores& view : t.views) add(view.camera, view.scores);
-    }
-    for (const PassTimes& t : r.times) {
-        const std::string size = std::to_string(t.width_px) + " x " +
-                                 std::to_string(t.height_px) + " + " +
-                                 std::to_string(t.guard_px);
-        time(t.technique + " at " + size, t.seconds);
-        for (const PassBytes& pass : t.traffic) {
-            results.traffic.Add({t.technique, size, pass.name, pass.read, pass.written});
+    return text;
+}
+
+/// Lines that begin with the same word as one, where the first of them stands.
+inline std::string SideBySide(const std::string& text) {
+    std::vector<std::pair<std::string, std::string>> lines;
+    std::istringstream all(text);
+    for (std::string line, word; std::getline(all, line);) {
+        std::istringstream(line) >> word;
+        line.erase(0, line.find_first_not_of(' '));
+        const auto same =
+            std::ranges::find(lines, word, &std::pair<std::string, std::string>::first);
+        if (same == lines.end()) {
+            lines.emplace_back(word, line);
+        } else {
+            same->second += " " + line;
         }
     }
-    for (const TemporalRow& row : r.temporal) {
-        results.flicker.Add({row.technique, 1e6 * row.score.candidate, 1e6 * row.score.truth,
-                             1e6 * row.score.flicker});
+    std::string joined;
+    for (const auto& [word, line] : lines) joined += line + "\n";
+    return joined;
+}
+
+}  // namespace read_results
+
+inline ReportResults ResultsOf(const doc::Document& report) {
+    const ResultTable& closest = doc::TableOf(report, "closest");
+    ReportResults results{doc::TableOf(report, "views"),
+                          doc::TableOf(report, "scores"),
+                          {},
+                          {},
+                          TextAt(closest, 0, "technique"),
+                          TextAt(closest, 1, "technique"),
+                          read_results::Without(doc::ToHtml(report), "<span class=\"spread\">"),
+                          read_results::SideBySide(doc::ToTerminal(InBrief(report))),
+                          {}};
+    results.page = read_results::Without(std::move(results.page), "</span>");
+    const auto add = [&](const std::string& name, const doc::Cell& cell) {
+        if (const auto* m = std::get_if<Measured>(&cell)) results.times.push_back({name, *m});
+    };
+    read_results::ForEachTable(report.sections, [&](const doc::Table& table) {
+        if (table.key == "time_passes") results.traffic = table;
+        if (table.key == "flicker") results.flicker = table;
+        for (std::size_t r = 0; r < table.rows.size(); ++r) {
+            for (const doc::Column& column : table.columns) {
+                if (column.role != doc::Role::kTime) continue;
+                add(table.key + " " + std::to_string(r) + " " + column.key,
+                    table.At(r, column.key));
+            }
+        }
+    });
+    for (const char* key : {"raster_ms", "copy_gb_per_s", "mrays_per_s"}) {
+        add(key, doc::FactOf(report, key));
     }
-    for (const RadiusTime& t : r.radii) time("radius " + Digits(t.radius_m), t.with_pyramid_s);
-    for (const GuardRow& g : r.guards) time("guard " + std::to_string(g.guard_px), g.sao_s);
-    for (const BudgetRow& b : r.budget) {
-        if (b.seconds) time("budget " + b.step, *b.seconds);
-    }
-    for (const SweepPoint& p : r.sweep) time(p.technique + ", " + p.setting, p.seconds);
-    time("G-buffer", r.raster_s);
-    time("copy", r.copy_bytes_per_second);
-    time("rays", r.embree_rays_per_second);
     return results;
 }
 

@@ -12,10 +12,14 @@
 #include "jobs/screen_space/report_scene.h"
 #include "jobs/screen_space/score_technique.h"
 #include "rays/embree/embree_caster.h"
+#include "reports/render.h"
 #include "reports/text.h"
 #include "screen_space/raster/draw_gbuffer.h"
+#include "tests/io/temp_folder.h"
 #include "tests/jobs/made_scenes.h"
 #include "tests/jobs/plain_scores.h"
+#include "tests/reports/json_schema.h"
+#include "tests/reports/page_reader.h"
 
 namespace plumb {
 namespace {
@@ -49,23 +53,74 @@ SceneReportJob Job() {
     return job;
 }
 
-const SceneReport& Report() {
-    static const SceneReport report =
-        ReportScene({TwoViews(), {}, "digest"}, Job(),
+const doc::Document& Report() {
+    static const doc::Document report =
+        ReportScene({TwoViews(), {}, std::string(64, 'd')}, Job(),
                     {.version = "test", .command = "plumb report", .clock = Ticking()});
     return report;
 }
 
 const Json& ReportJson() {
-    static const Json json = Json::parse(ToJsonText(Report()));
+    static const Json json = Json::parse(doc::ToJsonText(Report()));
     return json;
 }
 
-const Json& ScoreOf(const Json& scores, const std::string& truth, const std::string& region) {
-    for (const Json& score : scores) {
-        if (score["truth"] == truth && score["region"] == region) return score;
+const Json* FindTable(const Json& sections, const std::string& key) {
+    for (const Json& section : sections) {
+        for (const Json& table : section["tables"]) {
+            if (table["key"] == key) return &table;
+        }
+        if (const Json* within = FindTable(section["sections"], key)) return within;
     }
-    throw std::runtime_error(truth + " " + region);
+    return nullptr;
+}
+
+// The rows of a table, each with its cells by the keys of their columns.
+Json RowsOf(const std::string& key) {
+    const Json* table = FindTable(ReportJson()["sections"], key);
+    if (table == nullptr) throw std::runtime_error("no table " + key);
+    if (table->contains("rows")) return (*table)["rows"];
+    Json rows = Json::array();
+    for (const auto& [column, values] : (*table)["values"].items()) {
+        for (std::size_t r = 0; r < values.size(); ++r) rows[r][column] = values[r];
+    }
+    return rows;
+}
+
+// The only row whose cells are these.
+Json RowWith(const std::string& key, const Json& cells) {
+    Json found;
+    int count = 0;
+    for (const Json& row : RowsOf(key)) {
+        bool same = true;
+        for (const auto& [column, value] : cells.items()) same &= row[column] == value;
+        if (!same) continue;
+        found = row;
+        ++count;
+    }
+    if (count != 1) throw std::runtime_error(key + ": " + std::to_string(count) + " rows");
+    return found;
+}
+
+Json ScoreOf(const std::string& technique, const std::string& view, const std::string& truth,
+             const std::string& region) {
+    return RowWith(
+        "scores",
+        {{"technique", technique}, {"view", view}, {"truth", truth}, {"region", region}});
+}
+
+const std::string& Page() {
+    static const std::string page = doc::ToHtml(Report());
+    return page;
+}
+
+double Fact(const std::string& key) {
+    return doc::NumberOf(doc::FactOf(Report(), key));
+}
+
+TEST(ReportWithStudies, IsADocumentByItsSchema) {
+    EXPECT_EQ(SchemaErrors(PublishedSchema("document-1.json"), ReportJson()),
+              std::vector<std::string>{});
 }
 
 // Expected: bias, MAE and MSE of every technique in every view against all three truths, whole and at
@@ -74,15 +129,16 @@ TEST(ReportWithStudies, HasTheErrorsOfPlainLoops) {
     const Scene scene = TwoViews();
     const EmbreeCaster caster(scene);
     const std::vector<Falloff> falloffs{Falloff::kHard, Falloff::kSao, Falloff::kQuadratic};
-    ASSERT_EQ(ReportJson()["views"].size(), 2u);
+    const Json views = RowsOf("views");
+    ASSERT_EQ(views.size(), 2u);
     double mean_mse[3] = {}, mean_bias[3] = {};
     for (std::size_t v = 0; v < 2; ++v) {
         const Camera& camera = scene.cameras[v];
         const ViewTruth truth = MeasureViewTruth(caster, scene, camera, falloffs,
                                                  {.radius_m = 1, .spp = v == 0 ? 64 : 16});
-        const Json& view = ReportJson()["views"][v];
+        const Json& view = views[v];
         EXPECT_EQ(view["camera"], camera.name);
-        EXPECT_EQ(view["truth"]["spp"], v == 0 ? 64 : 16);
+        EXPECT_EQ(view["spp"], v == 0 ? 64 : 16);
         const Image<int> seen = SeenPixels(truth), border = SeenAtBorder(truth);
         const GBuffer gbuffer = DrawGBuffer(scene, camera, {.guard_px = 8});
         for (std::size_t t = 0; t < kNames.size(); ++t) {
@@ -90,11 +146,10 @@ TEST(ReportWithStudies, HasTheErrorsOfPlainLoops) {
             const Image<float> A =
                 Shown(technique.run({gbuffer, scene, camera, caster}, Ticking()).back().A,
                       gbuffer.view);
-            const Json& scores = ReportJson()["techniques"][t]["views"][v]["scores"];
             const auto expect = [&](const std::string& name, const TruthImage& image,
                                     const std::string& region, const Image<int>& pixels) {
                 const PlainErrors plain = PlainScore(A, image, pixels);
-                const Json& score = ScoreOf(scores, name, region);
+                const Json score = ScoreOf(kNames[t], camera.name, name, region);
                 EXPECT_EQ(score["pixels"].get<double>(), plain.pixels) << name << region;
                 EXPECT_NEAR(score["bias"]["value"].get<double>(), plain.bias, 1e-9);
                 EXPECT_NEAR(score["mae"]["value"].get<double>(), plain.mae, 1e-9);
@@ -110,225 +165,243 @@ TEST(ReportWithStudies, HasTheErrorsOfPlainLoops) {
         }
     }
     for (std::size_t t = 0; t < kNames.size(); ++t) {
-        const Json& all =
-            ScoreOf(ReportJson()["techniques"][t]["scores"], "V within r", "whole");
+        const Json all = ScoreOf(kNames[t], "all views", "V within r", "whole");
         EXPECT_NEAR(all["mse"]["value"].get<double>(), mean_mse[t], 1e-9);
         EXPECT_NEAR(all["rmse"]["value"].get<double>(), std::sqrt(mean_mse[t]), 1e-9);
         EXPECT_NEAR(all["psnr_db"]["value"].get<double>(), -10 * std::log10(mean_mse[t]), 1e-9);
         EXPECT_NEAR(all["bias"]["value"].get<double>(), mean_bias[t], 1e-9);
     }
-    EXPECT_EQ(ReportJson()["closest"]["name"],
+    EXPECT_EQ(RowsOf("closest")[0]["technique"],
               kNames[std::size_t(std::ranges::min_element(mean_mse) - mean_mse)]);
 }
 
 // Expected, by a clock that ticks a millisecond a look: a pass takes one, so that a technique takes as
 // many as it has passes; per pixel shown, and over a copy of 2^28 bytes in one.
 TEST(ReportWithStudies, HasTheTimesOfTheClock) {
-    const Json& json = ReportJson();
-    EXPECT_EQ(json["rounds"], 2);
-    for (const Json& technique : json["techniques"]) {
-        const double passes = double(technique["passes"].size());
-        EXPECT_NEAR(technique["seconds"].get<double>(), 0.001 * passes, 1e-9);
-        EXPECT_NEAR(technique["seconds_least"].get<double>(), 0.001 * passes, 1e-9);
-        EXPECT_NEAR(technique["seconds_greatest"].get<double>(), 0.001 * passes, 1e-9);
+    const auto expect_ms = [](const Json& cell, double ms) {
+        for (const char* end : {"value", "low", "high"}) {
+            EXPECT_NEAR(cell[end].get<double>(), ms, 1e-6);
+        }
+    };
+    EXPECT_EQ(Fact("rounds"), 2);
+    const Json techniques = RowsOf("techniques"), passes = RowsOf("passes");
+    const auto passes_of = [](const Json& rows, const Json& of) {
+        return double(std::ranges::count_if(rows, [&](const Json& row) {
+            return row["technique"] == of["technique"] &&
+                   (!of.contains("size_px") || row["size_px"] == of["size_px"]);
+        }));
+    };
+    for (const Json& pass : passes) expect_ms(pass["pass_ms"], 1);
+    for (const Json& technique : techniques) {
+        EXPECT_GE(passes_of(passes, technique), 4);
+        expect_ms(technique["ms"], passes_of(passes, technique));
     }
-    EXPECT_NEAR(json["machine"]["copy_bytes_per_second"].get<double>(), 0x1p28 / 0.001, 1e6);
-    EXPECT_NEAR(json["machine"]["raster_s"].get<double>(), 0.001, 1e-9);
-    EXPECT_NEAR(json["machine"]["embree_occlusion_rays_per_second"].get<double>(),
-                0x1p20 / 0.001, 1e3);
-    ASSERT_EQ(json["times"].size(), 4u);
+    EXPECT_NEAR(Fact("copy_gb_per_s"), 1e-9 * 0x1p28 / 0.001, 1e-3);
+    EXPECT_NEAR(Fact("raster_ms"), 1, 1e-6);
+    EXPECT_NEAR(Fact("mrays_per_s"), 1e-6 * 0x1p20 / 0.001, 1e-3);
+    const Json times = RowsOf("times"), traffic = RowsOf("time_passes");
+    ASSERT_EQ(times.size(), 4u);
     for (std::size_t k = 0; k < 4; ++k) {
-        const Json& t = json["times"][k];
-        EXPECT_EQ(t["technique"], k % 2 == 0 ? "supplement2012" : "alchemy");
-        const double shown = k < 2 ? 64 * 36 : 80 * 50, seconds = t["seconds"];
-        EXPECT_NEAR(seconds, 0.001 * double(t["passes"].size()), 1e-9);
-        EXPECT_NEAR(t["ns_per_visible_pixel"].get<double>(), seconds * 1e9 / shown, 1e-3);
+        const Json& t = times[k];
+        EXPECT_EQ(t["technique"], k % 2 == 0 ? "sao-supplement2012" : "alchemy");
+        EXPECT_EQ(t["size_px"], k < 2 ? "64 x 36 + 16" : "80 x 50 + 8");
+        const double shown = k < 2 ? 64 * 36 : 80 * 50, ms = passes_of(traffic, t);
+        expect_ms(t["ms"], ms);
+        EXPECT_NEAR(t["ns_per_visible_pixel"].get<double>(), ms * 1e6 / shown, 1e-3);
         double bytes = 0;
-        for (std::size_t p = 0; p < t["traffic"].size(); ++p) {
-            EXPECT_EQ(t["traffic"][p]["pass"], t["passes"][p]["pass"]);
-            bytes += t["traffic"][p]["bytes_read"].get<double>() +
-                     t["traffic"][p]["bytes_written"].get<double>();
+        for (const Json& pass : traffic) {
+            if (pass["technique"] != t["technique"] || pass["size_px"] != t["size_px"])
+                continue;
+            expect_ms(pass["pass_ms"], 1);
+            bytes += pass["bytes_read"].get<double>() + pass["bytes_written"].get<double>();
         }
         EXPECT_NEAR(t["bytes_per_pixel"].get<double>(), bytes / shown, 1e-9);
-        EXPECT_NEAR(t["times_of_a_copy"].get<double>(), seconds / (0.001 * bytes / 0x1p28),
-                    1e-6 * seconds / (0.001 * bytes / 0x1p28));
+        const double copies = ms / (bytes / 0x1p28);
+        EXPECT_NEAR(t["of_copy"].get<double>(), copies, 1e-6 * copies);
     }
-    ASSERT_EQ(json["radii"].size(), 9u);
-    for (const Json& t : json["radii"]) {
-        EXPECT_EQ(t["width_px"], 48);
-        for (const char* key : {"with_pyramid_s", "without_pyramid_s", "alchemy_s"}) {
-            EXPECT_NEAR(t[key].get<double>(), 0.001, 1e-9);
+    const Json radii = RowsOf("radii");
+    ASSERT_EQ(radii.size(), 9u);
+    const std::vector<const char*> kinds{"with_pyramid_ms", "without_pyramid_ms", "alchemy_ms"};
+    for (std::size_t s = 0; s < kinds.size(); ++s) {
+        const char* label = std::vector{"with pyramid", "without", "AlchemyAO"}[s];
+        const auto data = PlotDataOf(Page());
+        const std::vector<double> x = SeriesOf(data, "radius", {}, label, "x"),
+                                  y = SeriesOf(data, "radius", {}, label, "y");
+        for (std::size_t k = 0; k < radii.size(); ++k) {
+            expect_ms(radii[k][kinds[s]], 1);
+            EXPECT_EQ(x[k], radii[k]["radius_m"].get<double>());
+            EXPECT_NEAR(y[k], 1, 1e-5);  // Six digits.
         }
     }
+    EXPECT_NE(Page().find("48 x 27 + 8 px"), std::string::npos);
 }
 
-// Expected: sweep and budget speak of the same view and technique as the scores.
+// Expected: sweep and budget speak of the same view and technique as the scores; of the fastest
+// setting the finding is a row of the sweep.
 TEST(ReportWithStudies, AgreesWithItself) {
-    const Json& json = ReportJson();
-    for (std::size_t t = 0; t < kNames.size(); ++t) {
-        const Json& own =
-            ScoreOf(json["techniques"][t]["views"][0]["scores"], "V within r", "whole");
-        bool found = false;
-        for (const Json& p : json["sweep"]) {
-            if (p["technique"] != kNames[t] || p["setting"] != "as shipped") continue;
-            found = true;
-            EXPECT_EQ(p["rmse"], own["rmse"]);
-            EXPECT_EQ(p["recalibrated_rmse"], own["recalibrated_rmse"]);
+    for (const std::string& name : kNames) {
+        const Json own = ScoreOf(name, "front", "V within r", "whole");
+        const Json point = RowWith("sweep", {{"technique", name}, {"setting", "as shipped"}});
+        EXPECT_EQ(point["rmse"], own["rmse"]);
+        EXPECT_EQ(point["recalibrated_rmse"], own["recalibrated_rmse"]);
+        const Json all = ScoreOf(name, "all views", "V within r", "whole");
+        const Json shown = RowWith("techniques", {{"technique", name}});
+        for (const auto& [key, cell] : shown.items()) EXPECT_EQ(cell, all[key]) << key;
+        for (const char* camera : {"front", "side"}) {
+            EXPECT_EQ(
+                RowWith("rmse_by_camera", {{"technique", name}, {"camera", camera}})["rmse"],
+                ScoreOf(name, camera, "V within r", "whole")["rmse"]);
         }
-        EXPECT_TRUE(found);
-    }
-    EXPECT_EQ(json["budget"]["technique"], "sao-supplement2012");
-    EXPECT_EQ(json["budget"]["taps"], 4096);
-    EXPECT_EQ(json["budget"]["steps"].size(), 11u);
-    EXPECT_EQ(json["budget"]["no_border"]["step"], "no border");
-    EXPECT_EQ(json["pyramids"].size(), 7u);
-    EXPECT_EQ(json["guard_bands"].size(), 6u);
-    EXPECT_EQ(json["flicker"]["frames"], 2);
-    EXPECT_EQ(json["flicker"]["techniques"].size(), kNames.size());
-    EXPECT_EQ(json["depth"]["drawn"].size(), 2 * 16u);
-}
-
-// The text of each cell of each row of the table below `heading`, tags taken off.
-std::vector<std::vector<std::string>> TableBelow(const std::string& html,
-                                                 const std::string& heading) {
-    const std::size_t at = html.find(heading);
-    const std::size_t begin = html.find("<tbody>", at), end = html.find("</tbody>", at);
-    EXPECT_NE(at, std::string::npos) << heading;
-    std::vector<std::vector<std::string>> rows;
-    for (std::size_t tr = html.find("<tr>", begin); tr < end; tr = html.find("<tr>", tr + 1)) {
-        rows.emplace_back();
-        const std::size_t row_end = html.find("</tr>", tr);
-        for (std::size_t td = html.find("<td", tr); td < row_end;
-             td = html.find("<td", td + 1)) {
-            const std::size_t from = html.find('>', td) + 1;
-            std::string text, cell = html.substr(from, html.find("</td>", td) - from);
-            bool in_tag = false;
-            for (const char c : cell) {
-                if (c == '<') in_tag = true;
-                if (!in_tag) text += c;
-                if (c == '>') in_tag = false;
-            }
-            for (std::size_t q; (q = text.find("&#39;")) != std::string::npos;) {
-                text.replace(q, 5, "'");
-            }
-            rows.back().push_back(text);
+        const auto by_truth = [&](const char* against) {
+            return RowWith("rmse_by_truth",
+                           {{"technique", name}, {"against", against}})["rmse"];
+        };
+        EXPECT_EQ(by_truth("V"), ScoreOf(name, "all views", "V", "whole")["rmse"]);
+        EXPECT_EQ(by_truth("V within r"), all["rmse"]);
+        EXPECT_EQ(by_truth("… weighted by its falloff"),
+                  ScoreOf(name, "all views", "V within r, weighted", "whole")["rmse"]);
+        for (const char* region : {"edges", "interiors", "border"}) {
+            EXPECT_EQ(by_truth(region),
+                      ScoreOf(name, "all views", "V within r", region)["rmse"]);
         }
     }
-    return rows;
+    const std::string cheapest = std::get<std::string>(doc::FactOf(Report(), "cheapest"));
+    const std::size_t comma = cheapest.find(", ");
+    EXPECT_EQ(RowWith("sweep", {{"technique", cheapest.substr(0, comma)},
+                                {"setting", cheapest.substr(comma + 2)}})["pareto"],
+              "yes");
+    EXPECT_EQ(std::get<std::string>(doc::FactOf(Report(), "budget_technique")),
+              "sao-supplement2012");
+    EXPECT_EQ(Fact("budget_taps"), 4096);
+    EXPECT_EQ(Fact("budget_pixels"), RowsOf("budget")[0]["pixels"].get<double>());
+    EXPECT_EQ(RowsOf("budget").size(), 11u);
+    EXPECT_EQ(RowsOf("no_border")[0]["step"], "no border");
+    EXPECT_EQ(RowsOf("pyramids").size(), 7u);
+    EXPECT_EQ(RowsOf("guard_bands").size(), 6u);
+    EXPECT_EQ(Fact("frames"), 2);
+    EXPECT_EQ(RowsOf("flicker").size(), kNames.size());
+    EXPECT_EQ(RowsOf("drawn").size(), 2 * 16u);
 }
 
 std::string With95(const Json& f, int digits = 3) {
+    if (f["low"].is_null() || f["high"].is_null()) return Digits(f["value"], digits);
     return Digits(f["value"], digits) + " (" + Digits(f["low"], digits) + " to " +
            Digits(f["high"], digits) + ")";
 }
 
-std::string WithSe(const Json& f, double scale = 1) {
-    return WithError(scale * f["value"].get<double>(),
-                     scale * f["standard_error"].get<double>());
-}
-
-std::string MsOf(const Json& json, const std::string& key) {
-    return Digits(json[key].get<double>() * 1e3) + " (" +
-           Digits(json[key + "_least"].get<double>() * 1e3) + "–" +
-           Digits(json[key + "_greatest"].get<double>() * 1e3) + ")";
+std::string WithSe(const Json& f) {
+    if (f["standard_error"] == 0) return With95(f);
+    return WithError(f["value"], f["standard_error"]);
 }
 
 // Expected of the page: every cell of every table, from the JSON.
 TEST(ReportWithStudies, PageHasTheFiguresOfTheJson) {
-    const Json& json = ReportJson();
-    const std::string html = ToHtml(Report());
-    const auto scores = TableBelow(html, "Against V within r, over all pixels");
-    const auto views = TableBelow(html, "RMSE by camera");
-    const auto truths = TableBelow(html, "RMSE by truth and by region");
+    const Rows scores = TableWithId(Page(), "techniques");
+    const Rows views = TableWithId(Page(), "rmse_by_camera_rmse");
+    const Rows truths = TableWithId(Page(), "rmse_by_truth_rmse");
     ASSERT_EQ(scores.size(), kNames.size());
     for (std::size_t t = 0; t < kNames.size(); ++t) {
-        const Json& technique = json["techniques"][t];
-        const Json& all = ScoreOf(technique["scores"], "V within r", "whole");
-        EXPECT_EQ(scores[t],
-                  (std::vector<std::string>{
-                      kNames[t], std::to_string(technique["samples"].get<int>()),
-                      MsOf(technique, "seconds"), WithSe(all["bias"]), WithSe(all["mae"]),
-                      With95(all["rmse"]), With95(all["psnr_db"], 4), With95(all["ssim"]),
-                      With95(all["recalibrated_rmse"])}));
-        std::vector<std::string> row{kNames[t]};
-        for (const Json& view : technique["views"]) {
-            row.push_back(With95(ScoreOf(view["scores"], "V within r", "whole")["rmse"]));
+        const Json all = RowWith("techniques", {{"technique", kNames[t]}});
+        EXPECT_EQ(scores[t], (std::vector<std::string>{
+                                 kNames[t], std::to_string(all["samples"].get<int>()),
+                                 With95(all["ms"]), WithSe(all["bias"]), WithSe(all["mae"]),
+                                 With95(all["rmse"]), With95(all["psnr_db"], 4),
+                                 With95(all["ssim"]), With95(all["recalibrated_rmse"])}));
+        const auto rmse = [&](const char* view, const char* truth, const char* region) {
+            return With95(ScoreOf(kNames[t], view, truth, region)["rmse"]);
+        };
+        EXPECT_EQ(views[t],
+                  (std::vector<std::string>{kNames[t], rmse("front", "V within r", "whole"),
+                                            rmse("side", "V within r", "whole")}));
+        EXPECT_EQ(truths[t],
+                  (std::vector<std::string>{kNames[t],
+                                            t == 0   ? "sao"
+                                            : t == 1 ? "quadratic"
+                                                     : "hard",
+                                            rmse("all views", "V", "whole"),
+                                            rmse("all views", "V within r", "whole"),
+                                            rmse("all views", "V within r, weighted", "whole"),
+                                            rmse("all views", "V within r", "edges"),
+                                            rmse("all views", "V within r", "interiors"),
+                                            rmse("all views", "V within r", "border")}));
+    }
+    const auto expect = [](const std::string& key, const auto& cells) {
+        const Rows page = TableWithId(Page(), key);
+        const Json rows = RowsOf(key);
+        ASSERT_EQ(page.size(), rows.size()) << key;
+        for (std::size_t k = 0; k < page.size(); ++k) {
+            EXPECT_EQ(page[k], std::vector<std::string>(cells(rows[k]))) << key << k;
         }
-        EXPECT_EQ(views[t], row);
-        row = {kNames[t], technique["falloff"]};
-        for (const char* truth : {"V", "V within r", "V within r, weighted"}) {
-            row.push_back(With95(ScoreOf(technique["scores"], truth, "whole")["rmse"]));
+    };
+    using Cells = std::vector<std::string>;
+    expect("closest", [](const Json& row) {
+        return Cells{row["closest"], row["technique"], With95(row["rmse"]), With95(row["ms"]),
+                     row["ties"]};
+    });
+    const auto step = [](const Json& row) {
+        return Cells{row["step"],
+                     row["what"],
+                     row["ms"].is_null() ? "–" : With95(row["ms"]),
+                     Digits(row["rms_change"].get<double>()),
+                     WithSe(row["bias"]),
+                     With95(row["rmse"]),
+                     With95(row["psnr_db"], 4),
+                     With95(row["recalibrated_rmse"]),
+                     With95(row["own_rmse"])};
+    };
+    expect("budget", step);
+    expect("no_border", step);
+    expect("pyramids", [](const Json& row) {
+        return Cells{
+            row["filter"],       WithSe(row["bias_to_none"]), With95(row["rms_to_none"]),
+            WithSe(row["bias"]), With95(row["rmse"]),         With95(row["recalibrated_rmse"])};
+    });
+    expect("guard_bands", [](const Json& row) {
+        return Cells{std::to_string(row["guard_px"].get<int>()),
+                     Digits(row["share_of_height"].get<double>(), 2),
+                     With95(row["draw_ms"]),
+                     With95(row["sao_ms"]),
+                     With95(row["rms_to_widest"]),
+                     WithSe(row["bias"]),
+                     With95(row["rmse"])};
+    });
+    expect("pareto_front", [](const Json& row) {
+        return Cells{row["technique"], row["setting"], With95(row["ms"]), With95(row["rmse"]),
+                     With95(row["recalibrated_rmse"])};
+    });
+    expect("sweep", [](const Json& row) {
+        return Cells{row["technique"],
+                     row["setting"],
+                     With95(row["ms"]),
+                     With95(row["rmse"]),
+                     With95(row["recalibrated_rmse"]),
+                     row["pareto"]};
+    });
+    expect("times", [](const Json& row) {
+        return Cells{row["technique"],
+                     row["size_px"],
+                     With95(row["ms"]),
+                     Digits(row["bytes_per_pixel"].get<double>()),
+                     Digits(row["ns_per_visible_pixel"].get<double>()),
+                     Digits(row["of_copy"].get<double>())};
+    });
+    expect("flicker", [](const Json& row) {
+        return Cells{row["technique"], WithSe(row["candidate"]), WithSe(row["truth"]),
+                     WithSe(row["flicker"])};
+    });
+    expect("drawn", [](const Json& row) {
+        Cells cells{row["camera"], row["vertices"], row["format"], row["far"]};
+        for (const char* key : {"z_rms_mm", "z_worst_mm", "normal_rms_deg", "normal_99_deg",
+                                "normal_999_deg", "normal_worst_deg"}) {
+            cells.push_back(Digits(row[key].get<double>()));
         }
-        for (const char* region : {"edges", "interiors", "border"}) {
-            row.push_back(With95(ScoreOf(technique["scores"], "V within r", region)["rmse"]));
-        }
-        EXPECT_EQ(truths[t], row);
-    }
-    const auto budget = TableBelow(html, "id=\"budget\"");
-    ASSERT_EQ(budget.size(), 11u);
-    for (std::size_t k = 0; k < budget.size(); ++k) {
-        const Json& step = json["budget"]["steps"][k];
-        EXPECT_EQ(budget[k], (std::vector<std::string>{
-                                 step["step"], step["what"], WithSe(step["score"]["bias"]),
-                                 With95(step["score"]["rmse"]),
-                                 Digits(step["score"]["psnr_db"]["value"], 4),
-                                 With95(step["score"]["recalibrated_rmse"]),
-                                 With95(step["weighted"]["rmse"]), Digits(step["rms_change"]),
-                                 step.contains("seconds") ? MsOf(step, "seconds") : "–"}));
-    }
-    EXPECT_NE(html.find("all else as shipped: RMSE " +
-                        With95(json["budget"]["no_border"]["score"]["rmse"])),
-              std::string::npos);
-    const auto pyramids = TableBelow(html, "How the z pyramid is made");
-    const auto guards = TableBelow(html, "The guard band");
-    for (std::size_t k = 0; k < 7; ++k) {
-        const Json& row = json["pyramids"][k];
-        EXPECT_EQ(pyramids[k],
-                  (std::vector<std::string>{
-                      row["filter"], WithSe(row["bias_to_none"]), With95(row["rms_to_none"]),
-                      WithSe(row["score"]["bias"]), With95(row["score"]["rmse"]),
-                      With95(row["score"]["recalibrated_rmse"])}));
-    }
-    for (std::size_t k = 0; k < 6; ++k) {
-        const Json& row = json["guard_bands"][k];
-        EXPECT_EQ(guards[k],
-                  (std::vector<std::string>{
-                      Digits(100 * row["share_of_height"].get<double>(), 2) + " %",
-                      std::to_string(row["guard_px"].get<int>()), With95(row["rms_to_widest"]),
-                      WithSe(row["border"]["bias"]), With95(row["border"]["rmse"]),
-                      MsOf(row, "draw_s"), MsOf(row, "sao_s")}));
-    }
-    std::vector<std::vector<std::string>> front;
-    for (const Json& p : json["sweep"]) {
-        if (!p["pareto"].get<bool>()) continue;
-        front.push_back({p["technique"], p["setting"], MsOf(p, "seconds"), With95(p["rmse"]),
-                         With95(p["recalibrated_rmse"])});
-    }
-    auto shown = TableBelow(html, "The Pareto front</h3>");
-    std::ranges::sort(front);
-    std::ranges::sort(shown);
-    EXPECT_EQ(shown, front);
-    const auto times = TableBelow(html, "id=\"times\"");
-    ASSERT_EQ(times.size(), 4u);
-    for (std::size_t k = 0; k < 4; ++k) {
-        const Json& t = json["times"][k];
-        EXPECT_EQ(times[k][0], t["technique"]);
-        EXPECT_EQ(times[k][1], k < 2 ? "64 × 36 + 16" : "80 × 50 + 8");
-        EXPECT_EQ(times[k][2], MsOf(t, "seconds"));
-        EXPECT_EQ(times[k][4], Digits(t["bytes_per_pixel"]));
-        EXPECT_EQ(times[k][5], Digits(t["ns_per_visible_pixel"]));
-        EXPECT_EQ(times[k][6], Digits(t["times_of_a_copy"]));
-    }
-    const auto flicker = TableBelow(html, "id=\"flicker\"");
-    for (std::size_t t = 0; t < kNames.size(); ++t) {
-        const Json& row = json["flicker"]["techniques"][t];
-        EXPECT_EQ(flicker[t],
-                  (std::vector<std::string>{kNames[t], WithSe(row["candidate_variance"], 1e6),
-                                            WithSe(row["truth_variance"], 1e6),
-                                            WithSe(row["flicker_variance"], 1e6)}));
-    }
-    EXPECT_NE(html.find("cameras front and side"), std::string::npos);
-    EXPECT_NE(html.find("95 % between views"), std::string::npos);
+        cells.push_back(Digits(row["within_paper_share"].get<double>(), 4));
+        return cells;
+    });
+    EXPECT_NE(Page().find("cameras front and side"), std::string::npos);
+    EXPECT_NE(Page().find("95 % between views"), std::string::npos);
+    EXPECT_NE(Page().find("medians of 2 rounds"), std::string::npos);
+    EXPECT_NE(Page().find("<figure class=\"waterfall\">"), std::string::npos);
 }
 
 std::vector<std::string> Fields(const std::string& line) {
@@ -346,66 +419,49 @@ std::vector<std::string> Fields(const std::string& line) {
     return fields;
 }
 
-// Expected of the tables for spreadsheets: every field, from the JSON, by the names of the columns.
-TEST(ReportWithStudies, TablesHaveTheFiguresOfTheJson) {
-    const Json& json = ReportJson();
-    std::istringstream lines(ScoresCsv(Report()));
+// Expected of a file for spreadsheets: every field of a table, from the JSON, by the names of the
+// columns.
+void ExpectCsvOf(const std::string& file, const std::string& key) {
+    const Json rows = RowsOf(key);
+    std::istringstream lines(file);
     std::string line;
     std::getline(lines, line);
     const std::vector<std::string> heads = Fields(line);
-    int count = 0;
-    while (std::getline(lines, line)) {
-        ++count;
+    for (const Json& row : rows) {
+        ASSERT_TRUE(std::getline(lines, line));
         const std::vector<std::string> fields = Fields(line);
         ASSERT_EQ(fields.size(), heads.size());
-        const auto of = [&](const std::string& head) {
-            return fields[std::size_t(std::ranges::find(heads, head) - heads.begin())];
+        const auto expect = [&](const std::string& head, const Json& value) {
+            const auto at = std::ranges::find(heads, head);
+            ASSERT_NE(at, heads.end()) << head;
+            EXPECT_EQ(fields[std::size_t(at - heads.begin())],
+                      value.is_string()           ? value.get<std::string>()
+                      : value.is_number_integer() ? std::to_string(value.get<long long>())
+                      : value.is_number()         ? Exact(value)
+                                                  : "")
+                << head;
         };
-        const Json& technique = *std::ranges::find_if(
-            json["techniques"], [&](const Json& t) { return t["name"] == of("technique"); });
-        const Json* scores = &technique["scores"];
-        for (const Json& view : technique["views"]) {
-            if (view["camera"] == of("view")) scores = &view["scores"];
-        }
-        if (scores == &technique["scores"]) {
-            EXPECT_EQ(of("view"), "all views");
-        }
-        const Json& score = ScoreOf(*scores, of("truth"), of("region"));
-        EXPECT_EQ(of("samples"), std::to_string(technique["samples"].get<int>()));
-        EXPECT_EQ(of("seconds"), Exact(technique["seconds"]));
-        EXPECT_EQ(of("seconds_least"), Exact(technique["seconds_least"]));
-        EXPECT_EQ(of("seconds_greatest"), Exact(technique["seconds_greatest"]));
-        EXPECT_EQ(of("pixels"), std::to_string(score["pixels"].get<int>()));
-        for (const char* figure :
-             {"bias", "mae", "rmse", "psnr_db", "psnr_paper_db", "ssim", "recalibrated_rmse"}) {
-            const auto expect = [&](const std::string& head, const Json& value) {
-                EXPECT_EQ(of(head), value.is_number() ? Exact(value) : "") << head;
-            };
-            expect(figure, score[figure]["value"]);
-            expect(std::string(figure) + "_low", score[figure]["low"]);
-            expect(std::string(figure) + "_high", score[figure]["high"]);
+        for (const auto& [column, cell] : row.items()) {
+            expect(column, cell.is_object() ? cell["value"] : cell);
+            if (!cell.is_object()) continue;
+            expect(column + "_se", cell["standard_error"]);
+            expect(column + "_low", cell["low"]);
+            expect(column + "_high", cell["high"]);
         }
     }
-    EXPECT_EQ(count, 3 * 3 * 12);
-    std::istringstream sweep(SweepCsv(Report()));
-    std::getline(sweep, line);
-    EXPECT_EQ(Fields(line),
-              (std::vector<std::string>{"technique", "setting", "seconds", "seconds_least",
-                                        "seconds_greatest", "rmse", "rmse_low", "rmse_high",
-                                        "recalibrated_rmse", "recalibrated_rmse_low",
-                                        "recalibrated_rmse_high", "pareto"}));
-    for (const Json& p : json["sweep"]) {
-        ASSERT_TRUE(std::getline(sweep, line));
-        EXPECT_EQ(
-            Fields(line),
-            (std::vector<std::string>{
-                p["technique"], p["setting"], Exact(p["seconds"]), Exact(p["seconds_least"]),
-                Exact(p["seconds_greatest"]), Exact(p["rmse"]["value"]),
-                Exact(p["rmse"]["low"]), Exact(p["rmse"]["high"]),
-                Exact(p["recalibrated_rmse"]["value"]), Exact(p["recalibrated_rmse"]["low"]),
-                Exact(p["recalibrated_rmse"]["high"]),
-                p["pareto"].get<bool>() ? "yes" : "no"}));
-    }
+    EXPECT_FALSE(std::getline(lines, line));
+}
+
+using WrittenReport = TempFolder;
+
+TEST_F(WrittenReport, HasTheFiguresOfTheJson) {
+    EXPECT_EQ(WriteSceneReport(Path(""), Report()), Path("report.html"));
+    EXPECT_EQ(Get("report.html"), Page());
+    EXPECT_EQ(Json::parse(Get("report.json")), ReportJson());
+    EXPECT_EQ(Get("report.csv"), doc::ToCsv(Report()));
+    EXPECT_EQ(RowsOf("scores").size(), 3u * 3 * 12);
+    ExpectCsvOf(Get("scores.csv"), "scores");
+    ExpectCsvOf(Get("sweep.csv"), "sweep");
 }
 
 }  // namespace

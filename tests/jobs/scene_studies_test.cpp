@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "core/error.h"
 #include "jobs/pictures.h"
@@ -39,6 +40,22 @@ struct Measured1m {
     const TruthImage& Weighted() const { return truth.near.at(Falloff::kSao); }
 };
 
+RunContext Ticked() {
+    return {.clock = Ticking()};
+}
+
+double At(const doc::Table& table, std::size_t row, const char* key) {
+    return doc::NumberOf(table.At(row, key));
+}
+
+std::string TextAt(const doc::Table& table, std::size_t row, const char* key) {
+    return std::get<std::string>(table.At(row, key));
+}
+
+const Measured& MeasuredAt(const doc::Table& table, std::size_t row, const char* key) {
+    return std::get<Measured>(table.At(row, key));
+}
+
 // Expected: the noise of a truth of 16 rays taken off, that of 4096 rays has no error against it but
 // what noise leaves, for V and within r; a floor of .0026 under the variances would show.
 TEST(ViewTruth, LeavesNoErrorOfItsNoise) {
@@ -69,15 +86,19 @@ TEST(ViewTruth, LeavesNoErrorOfItsNoise) {
 TEST(ErrorBudget, GoesFromTheIdealToTheShipped) {
     const Measured1m m(FloorAndWall(96, 54));
     const SaoOptions shipped = SaoWith("supplement2012", {.radius_m = 1});
-    const ErrorBudget budget = MakeErrorBudget(
-        shipped, m.scene, m.View(), m.caster, m.truth,
-        {.many_taps = 64, .stride_px = 2, .guard_px = 16, .rounds = 1}, Ticking());
-    const std::vector<BudgetRow>& rows = budget.rows;
+    const doc::Section budget = MakeErrorBudget(
+        "sao", shipped, m.scene, m.View(), m.caster, m.truth,
+        {.many_taps = 64, .stride_px = 2, .guard_px = 16, .rounds = 1}, Ticked());
+    const doc::Table &rows = budget.tables[0], &no_border = budget.tables[1];
+    ASSERT_EQ(rows.key, "budget");
+    ASSERT_EQ(no_border.key, "no_border");
     std::vector<std::string> steps;
-    for (const BudgetRow& row : rows) steps.push_back(row.step);
+    for (std::size_t k = 0; k < rows.rows.size(); ++k) {
+        steps.push_back(TextAt(rows, k, "step"));
+    }
     ASSERT_EQ(steps, (std::vector<std::string>{"ideal", "estimator", "one layer", "border",
-                                               "normals", "taps", "pyramid", "quads", "RGB8",
-                                               "filter x", "filter y"}));
+                                               "normals", "taps", "pyramid", "quads", "packing",
+                                               "filter_x", "filter_y"}));
     const Image<int> pixels = Strided(m.seen, 2);
     const auto drawn = [&](int guard_px) {
         return DrawGBuffer(m.scene, m.View(), {.guard_px = guard_px});
@@ -113,43 +134,46 @@ TEST(ErrorBudget, GoesFromTheIdealToTheShipped) {
         now.*pass = true;
         pictures.push_back(sao(wide, now));
     }
-    ASSERT_EQ(pictures.size(), rows.size());
-    for (std::size_t k = 0; k < rows.size(); ++k) {
+    ASSERT_EQ(pictures.size(), rows.rows.size());
+    const double scored = PlainScore(pictures[0], m.Near(), pixels).pixels;
+    for (std::size_t k = 0; k < rows.rows.size(); ++k) {
         const double tolerance = k >= 2 && k <= 5 ? 3e-4 : 1e-6;
         const TruthImage near{m.Near().value,
                               k == 0 ? Image<float>() : m.Near().standard_error};
         const PlainErrors plain = PlainScore(pictures[k], near, pixels);
-        EXPECT_NEAR(rows[k].score.error.mse.value, plain.mse, tolerance) << steps[k];
-        EXPECT_NEAR(rows[k].score.error.bias.value, plain.bias, tolerance) << steps[k];
-        EXPECT_NEAR(rows[k].weighted.error.mse.value,
-                    PlainScore(pictures[k], m.Weighted(), pixels).mse, tolerance)
+        EXPECT_NEAR(At(rows, k, "mse"), plain.mse, tolerance) << steps[k];
+        EXPECT_NEAR(At(rows, k, "bias"), plain.bias, tolerance) << steps[k];
+        EXPECT_NEAR(At(rows, k, "own_mse"), PlainScore(pictures[k], m.Weighted(), pixels).mse,
+                    tolerance)
             << steps[k];
-        EXPECT_EQ(rows[k].score.error.pixels, budget.pixels);
-        EXPECT_EQ(rows[k].seconds.has_value(), k >= 5) << steps[k];
+        EXPECT_EQ(At(rows, k, "pixels"), scored);
+        EXPECT_EQ(std::isfinite(At(rows, k, "ms")), k >= 5) << steps[k];
         if (k == 0) continue;
-        EXPECT_NEAR(rows[k].rms_change, PlainRms(pictures[k], pictures[k - 1], pixels),
+        EXPECT_NEAR(At(rows, k, "rms_change"), PlainRms(pictures[k], pictures[k - 1], pixels),
                     k <= 5 ? 1e-3 : 1e-6)
             << steps[k];
     }
-    EXPECT_EQ(double(budget.pixels), PlainScore(pictures[0], m.Near(), pixels).pixels);
-    EXPECT_LT(rows[8].rms_change, 1.5 / 255);  // RGB8 rounds A by 1/2 of 1/255, z's bits moved
+    EXPECT_EQ(doc::NumberOf(budget.facts[1].value), scored);
+    EXPECT_LT(At(rows, 8, "rms_change"),
+              1.5 / 255);  // RGB8 rounds A by 1/2 of 1/255, z's bits moved
     SaoOptions aligned = shipped;
     aligned.sampling.taps.hash_shift_px = 16;
     const Image<float> borderless = sao(none, aligned);
-    EXPECT_NEAR(budget.no_border.score.error.mse.value,
-                PlainScore(borderless, m.Near(), pixels).mse, 1e-6);
-    EXPECT_NEAR(budget.no_border.rms_change, PlainRms(borderless, pictures.back(), pixels),
+    EXPECT_NEAR(At(no_border, 0, "mse"), PlainScore(borderless, m.Near(), pixels).mse, 1e-6);
+    EXPECT_NEAR(At(no_border, 0, "rms_change"), PlainRms(borderless, pictures.back(), pixels),
                 1e-6);
-    EXPECT_NEAR(budget.no_border.seconds->value, 0.001, 1e-9);
+    EXPECT_NEAR(At(no_border, 0, "ms"), 1, 1e-9);
 }
 
 // Expected: on every pixel the steps lead to the very score of the technique, whole numbers of bits.
 TEST(ErrorBudget, EndsAtTheTechniquesOwnScore) {
     const Measured1m m(FloorAndWall(48, 27));
     const SaoOptions shipped = SaoWith("supplement2012", {.radius_m = 1});
-    const ErrorBudget budget = MakeErrorBudget(
-        shipped, m.scene, m.View(), m.caster, m.truth,
-        {.many_taps = 8, .stride_px = 1, .guard_px = 16, .rounds = 1}, Ticking());
+    const doc::Table rows =
+        MakeErrorBudget("sao", shipped, m.scene, m.View(), m.caster, m.truth,
+                        {.many_taps = 8, .stride_px = 1, .guard_px = 16, .rounds = 1}, Ticked())
+            .tables[0];
+    const std::size_t last = rows.rows.size() - 1;
     const GBuffer gbuffer = DrawGBuffer(m.scene, m.View(), {.guard_px = 16});
     const Technique technique = TechniqueNamed("sao-supplement2012", {.radius_m = 1});
     const Image<float> A =
@@ -158,11 +182,11 @@ TEST(ErrorBudget, EndsAtTheTechniquesOwnScore) {
     const std::vector<ScoreAgainst> scores =
         ScoreAll(A, m.truth, RegionsOf(m.truth), technique.falloff);
     const ScoreAgainst& near = Against(scores, kTruthNear, "whole");
-    EXPECT_EQ(budget.rows.back().score.error.rmse.value, near.error.rmse.value);
-    EXPECT_EQ(budget.rows.back().score.recalibrated_rmse.value, near.recalibrated_rmse.value);
-    EXPECT_EQ(budget.rows.back().weighted.error.rmse.value,
+    EXPECT_EQ(At(rows, last, "rmse"), near.error.rmse.value);
+    EXPECT_EQ(At(rows, last, "recalibrated_rmse"), near.recalibrated_rmse.value);
+    EXPECT_EQ(At(rows, last, "own_rmse"),
               Against(scores, kTruthWeighted, "whole").error.rmse.value);
-    EXPECT_EQ(budget.pixels, near.error.pixels);
+    EXPECT_EQ(At(rows, last, "pixels"), double(near.error.pixels));
 }
 
 // Expected: five widths more than none, each by whole texels of the pyramid's coarsest level (32 px)
@@ -190,13 +214,13 @@ TEST(StudyGuardBand, ChangesNothingWhereNothingIsBeyondTheFrame) {
     const ViewTruth truth = MeasureViewTruth(caster, scene, camera, falloffs,
                                              {.radius_m = 1, .spp = 16, .far = false});
     const SaoOptions sao = SaoWith("supplement2012", {.radius_m = 1});
-    const std::vector<GuardRow> rows = StudyGuardBand(scene, camera, truth, sao, 1, Ticking());
-    ASSERT_EQ(rows.size(), 6u);
-    EXPECT_GT(rows[0].border.error.max, 0.02);  // There is something to change.
-    for (const GuardRow& row : rows) {
-        EXPECT_GT(row.border.error.pixels, 300);
-        EXPECT_LT(row.rms_to_widest.value, 0.0013) << row.guard_px;
-        EXPECT_EQ(row.share, row.guard_px / 108.0);
+    const doc::Table rows = StudyGuardBand(scene, camera, truth, sao, 1, Ticked()).tables[0];
+    ASSERT_EQ(rows.rows.size(), 6u);
+    EXPECT_GT(At(rows, 0, "max"), 0.02);  // There is something to change.
+    for (std::size_t k = 0; k < 6; ++k) {
+        EXPECT_GT(At(rows, k, "pixels"), 300);
+        EXPECT_LT(At(rows, k, "rms_to_widest"), 0.0013) << k;
+        EXPECT_EQ(At(rows, k, "share_of_height"), At(rows, k, "guard_px") / 108.0);
     }
 }
 
@@ -205,9 +229,9 @@ TEST(StudyGuardBand, ChangesNothingWhereNothingIsBeyondTheFrame) {
 TEST(StudyGuardBand, IsThePictureOfEachBorder) {
     const Measured1m m(FloorAndWall(96, 80));
     const SaoOptions sao = SaoWith("supplement2012", {.radius_m = 1});
-    const std::vector<GuardRow> rows =
-        StudyGuardBand(m.scene, m.View(), m.truth, sao, 3, Ticking());
-    ASSERT_EQ(rows.size(), 6u);
+    const doc::Table rows =
+        StudyGuardBand(m.scene, m.View(), m.truth, sao, 3, Ticked()).tables[0];
+    ASSERT_EQ(rows.rows.size(), 6u);
     const Image<int> border = SeenAtBorder(m.truth);
     const auto picture = [&](int guard_px) {
         const GBuffer gbuffer = DrawGBuffer(m.scene, m.View(), {.guard_px = guard_px});
@@ -216,19 +240,18 @@ TEST(StudyGuardBand, IsThePictureOfEachBorder) {
         return Shown(SaoObscurance(gbuffer, shifted), gbuffer.view);
     };
     const Image<float> widest = picture(160);
-    for (int k = 0; k < 6; ++k) {
-        const GuardRow& row = rows[std::size_t(k)];
-        ASSERT_EQ(row.guard_px, 32 * k);
-        const Image<float> A = picture(row.guard_px);
-        EXPECT_NEAR(row.rms_to_widest.value, PlainRms(A, widest, border), 1e-6);
+    for (std::size_t k = 0; k < 6; ++k) {
+        ASSERT_EQ(At(rows, k, "guard_px"), 32 * double(k));
+        const Image<float> A = picture(32 * int(k));
+        EXPECT_NEAR(At(rows, k, "rms_to_widest"), PlainRms(A, widest, border), 1e-6);
         const PlainErrors plain = PlainScore(A, m.Weighted(), border);
-        EXPECT_NEAR(row.border.error.mse.value, plain.mse, 1e-6);
-        EXPECT_EQ(double(row.border.error.pixels), plain.pixels);
-        EXPECT_NEAR(row.draw_s.value, 0.001, 1e-9);
-        EXPECT_NEAR(row.sao_s.value, 0.001, 1e-9);
+        EXPECT_NEAR(At(rows, k, "mse"), plain.mse, 1e-6);
+        EXPECT_EQ(At(rows, k, "pixels"), plain.pixels);
+        EXPECT_NEAR(At(rows, k, "draw_ms"), 1, 1e-9);
+        EXPECT_NEAR(At(rows, k, "sao_ms"), 1, 1e-9);
     }
-    EXPECT_EQ(rows.back().rms_to_widest.value, 0);
-    EXPECT_GT(rows.front().rms_to_widest.value, 0.005);
+    EXPECT_EQ(At(rows, 5, "rms_to_widest"), 0);
+    EXPECT_GT(At(rows, 0, "rms_to_widest"), 0.005);
 }
 
 // Expected: each row's picture made here; the first is itself without a pyramid. Of nearest and
@@ -237,16 +260,16 @@ TEST(StudyPyramid, IsThePictureOfEachFilter) {
     const Measured1m m(FloorAndWall(96, 54));
     SaoOptions sao = SaoWith("supplement2012", {.radius_m = 1});
     const GBuffer gbuffer = DrawGBuffer(m.scene, m.View(), {.guard_px = 8});
-    const std::vector<PyramidRow> rows =
-        StudyPyramid({gbuffer, m.scene, m.View(), m.caster}, m.truth, sao);
-    ASSERT_EQ(rows.size(), 7u);
+    const doc::Table rows =
+        StudyPyramid({gbuffer, m.scene, m.View(), m.caster}, m.truth, sao).tables[0];
+    ASSERT_EQ(rows.rows.size(), 7u);
     const std::vector<std::pair<std::string, ZFilter>> filters{
-        {"rotated grid", ZFilter::kRotatedGrid},
-        {"rotated grid, G3D 10", ZFilter::kRotatedGridG3d10},
-        {"arithmetic mean", ZFilter::kMean},
-        {"harmonic mean", ZFilter::kHarmonicMean},
-        {"min (farthest)", ZFilter::kMin},
-        {"max (nearest)", ZFilter::kMax}};
+        {"rotated_grid", ZFilter::kRotatedGrid},
+        {"rotated_grid_g3d10", ZFilter::kRotatedGridG3d10},
+        {"mean", ZFilter::kMean},
+        {"harmonic_mean", ZFilter::kHarmonicMean},
+        {"min", ZFilter::kMin},
+        {"max", ZFilter::kMax}};
     sao.quad_filter = sao.pack_rgb8 = sao.blur_x = sao.blur_y = false;
     SaoOptions without = sao;
     without.sampling.taps.coarsest_level = 0;
@@ -254,14 +277,13 @@ TEST(StudyPyramid, IsThePictureOfEachFilter) {
     for (std::size_t k = 0; k < 7; ++k) {
         if (k > 0) sao.sampling.taps.filter = filters[k - 1].second;
         const Image<float> A = k == 0 ? none : Shown(SaoObscurance(gbuffer, sao), gbuffer.view);
-        EXPECT_EQ(rows[k].filter, k == 0 ? "none" : filters[k - 1].first);
-        EXPECT_NEAR(rows[k].rms_to_none.value, PlainRms(A, none, m.seen), 1e-6);
-        EXPECT_NEAR(rows[k].bias_to_none.value, PlainScore(A, {none, {}}, m.seen).bias, 1e-6);
-        EXPECT_NEAR(rows[k].against_truth.error.mse.value,
-                    PlainScore(A, m.Weighted(), m.seen).mse, 1e-6);
+        EXPECT_EQ(TextAt(rows, k, "filter"), k == 0 ? "none" : filters[k - 1].first);
+        EXPECT_NEAR(At(rows, k, "rms_to_none"), PlainRms(A, none, m.seen), 1e-6);
+        EXPECT_NEAR(At(rows, k, "bias_to_none"), PlainScore(A, {none, {}}, m.seen).bias, 1e-6);
+        EXPECT_NEAR(At(rows, k, "mse"), PlainScore(A, m.Weighted(), m.seen).mse, 1e-6);
     }
-    EXPECT_EQ(rows[0].rms_to_none.value, 0);
-    EXPECT_LT(rows[6].bias_to_none.value, rows[5].bias_to_none.value);
+    EXPECT_EQ(At(rows, 0, "rms_to_none"), 0);
+    EXPECT_LT(At(rows, 6, "bias_to_none"), At(rows, 5, "bias_to_none"));
 }
 
 // Expected: points with the settings they name, made here; the front and the cheapest by comparing
@@ -272,13 +294,21 @@ TEST(SweepTechniques, ScoresTheSettingsThatItNames) {
     const TechniqueInput in{gbuffer, m.scene, m.View(), m.caster};
     const std::vector<ChosenTechnique> chosen{{"sao-g3d10", {.radius_m = 0.8}},
                                               {"rays-8", {.radius_m = 1}}};
-    const Sweep sweep = SweepTechniques(in, m.truth, chosen, 2, 0.05, Ticking());
-    const std::vector<SweepPoint>& points = sweep.points;
-    ASSERT_EQ(points.size(), 18u);
-    const auto at = [&](const std::string& technique, const std::string& setting) {
-        return *std::ranges::find_if(points, [&](const SweepPoint& p) {
-            return p.technique == technique && p.setting == setting;
-        });
+    const Sweep sweep = SweepTechniques(in, m.truth, chosen, 2, 0.05, Ticked());
+    const doc::Table& points = sweep.section.sections[1].tables[0];
+    ASSERT_EQ(points.key, "sweep");
+    ASSERT_EQ(points.rows.size(), 18u);
+    const auto place = [&](const std::string& technique, const std::string& setting) {
+        for (std::size_t k = 0; k < points.rows.size(); ++k) {
+            if (TextAt(points, k, "technique") == technique &&
+                TextAt(points, k, "setting") == setting) {
+                return k;
+            }
+        }
+        throw std::runtime_error(technique + " " + setting);
+    };
+    const auto rmse_of = [&](const std::string& technique, const std::string& setting) {
+        return At(points, place(technique, setting), "rmse");
     };
     const auto mse = [&](const Technique& technique, const TechniqueInput& on) {
         Image<float> A = Shown(technique.run(on, Ticking()).back().A, on.gbuffer.view);
@@ -287,7 +317,7 @@ TEST(SweepTechniques, ScoresTheSettingsThatItNames) {
     };
     const auto expect = [&](const std::string& name, const std::string& setting,
                             const TechniqueSettings& settings) {
-        const double rmse = at(name, setting).rmse.value;
+        const double rmse = rmse_of(name, setting);
         EXPECT_NEAR(rmse * rmse, mse(TechniqueNamed(name, settings), in), 1e-6) << setting;
     };
     expect("sao-g3d10", "as shipped", {.radius_m = 0.8});
@@ -296,46 +326,93 @@ TEST(SweepTechniques, ScoresTheSettingsThatItNames) {
     expect("sao-g3d10", "no filter", {.radius_m = 0.8, .filter = false});
     expect("sao-g3d10", "16 lookups", {.radius_m = 0.8, .samples = 16});
     expect("rays-8", "twice the radius", {.radius_m = 2});
+    const auto sao_mse = [&](const SaoOptions& with) {
+        return PlainScore(Shown(SaoObscurance(gbuffer, with), gbuffer.view), m.Near(), m.seen)
+            .mse;
+    };
     SaoOptions options = SaoWith("g3d10", {.radius_m = 0.8});
     options.sampling.taps.coarsest_level = 0;
-    const double no_pyramid = at("sao-g3d10", "no pyramid").rmse.value;
-    EXPECT_NEAR(no_pyramid * no_pyramid, mse(SaoTechnique("t", options), in), 1e-6);
+    const double no_pyramid = rmse_of("sao-g3d10", "no pyramid");
+    EXPECT_NEAR(no_pyramid * no_pyramid, sao_mse(options), 1e-6);
     options = SaoWith("g3d10", {.radius_m = 0.8});
     options.quad_filter = true;
-    const double with_quads = at("sao-g3d10", "with quads").rmse.value;
-    EXPECT_NEAR(with_quads * with_quads, mse(SaoTechnique("t", options), in), 1e-6);
+    const double with_quads = rmse_of("sao-g3d10", "with quads");
+    EXPECT_NEAR(with_quads * with_quads, sao_mse(options), 1e-6);
     Camera half = m.View();
     half.width_px = 32;
     half.height_px = 18;
     const GBuffer small = DrawGBuffer(m.scene, half, {.guard_px = 4});
-    const double halved = at("rays-8", "half resolution").rmse.value;
+    const double halved = rmse_of("rays-8", "half resolution");
     EXPECT_NEAR(
         halved * halved,
         mse(TechniqueNamed("rays-8", {.radius_m = 1}), {small, m.scene, half, m.caster}), 1e-6);
 
     double least = 1;
-    for (const SweepPoint& p : points) least = std::min(least, p.rmse.value);
+    for (std::size_t k = 0; k < 18; ++k) least = std::min(least, At(points, k, "rmse"));
     std::string cheapest;
-    double cheapest_s = 1e9, cheapest_rmse = 1;
-    for (const SweepPoint& p : points) {
-        const bool beaten = std::any_of(points.begin(), points.end(), [&](const SweepPoint& q) {
-            return q.seconds.value < p.seconds.value && q.rmse.value < p.rmse.value;
-        });
-        EXPECT_FALSE(beaten && p.on_front) << p.technique << " " << p.setting;
-        EXPECT_LE(p.rmse.interval.low, p.rmse.value);
-        EXPECT_GE(p.rmse.interval.high, p.rmse.value);
-        EXPECT_TRUE(std::isfinite(p.rmse.interval.high));
-        EXPECT_TRUE(std::isfinite(p.recalibrated_rmse.interval.high));
-        if (p.rmse.value > 1.05 * least) continue;
-        if (p.seconds.value > cheapest_s + 1e-9) continue;
-        if (p.seconds.value > cheapest_s - 1e-9 && p.rmse.value >= cheapest_rmse) continue;
-        cheapest_s = p.seconds.value;
-        cheapest_rmse = p.rmse.value;
-        cheapest = p.technique + ", " + p.setting;
+    double cheapest_ms = 1e9, cheapest_rmse = 1;
+    std::set<std::string> front;
+    for (std::size_t k = 0; k < 18; ++k) {
+        const double ms = At(points, k, "ms"), rmse = At(points, k, "rmse");
+        bool beaten = false;
+        for (std::size_t q = 0; q < 18; ++q) {
+            beaten |= At(points, q, "ms") < ms && At(points, q, "rmse") < rmse;
+        }
+        const std::string name =
+            TextAt(points, k, "technique") + ", " + TextAt(points, k, "setting");
+        const bool on_front = TextAt(points, k, "pareto") == "yes";
+        EXPECT_FALSE(beaten && on_front) << name;
+        if (on_front) front.insert(name);
+        EXPECT_LE(MeasuredAt(points, k, "rmse").interval.low, rmse);
+        EXPECT_GE(MeasuredAt(points, k, "rmse").interval.high, rmse);
+        EXPECT_TRUE(std::isfinite(MeasuredAt(points, k, "rmse").interval.high));
+        EXPECT_TRUE(std::isfinite(MeasuredAt(points, k, "recalibrated_rmse").interval.high));
+        if (rmse > 1.05 * least) continue;
+        if (ms > cheapest_ms + 1e-6) continue;
+        if (ms > cheapest_ms - 1e-6 && rmse >= cheapest_rmse) continue;
+        cheapest_ms = ms;
+        cheapest_rmse = rmse;
+        cheapest = name;
     }
     EXPECT_EQ(sweep.cheapest.name, cheapest);
-    EXPECT_TRUE(std::any_of(points.begin(), points.end(),
-                            [](const SweepPoint& p) { return p.on_front; }));
+    EXPECT_FALSE(front.empty());
+
+    // The front's own table and the plot hold these rows and numbers, the fastest first.
+    const doc::Table& shown = sweep.section.sections[0].tables[0];
+    ASSERT_EQ(shown.key, "pareto_front");
+    ASSERT_EQ(shown.rows.size(), front.size());
+    const Plot& plot = sweep.section.plots[0].plots[0];
+    ASSERT_EQ(plot.views.size(), 2u);
+    ASSERT_EQ(plot.views[0].series.size(), 3u);
+    ASSERT_EQ(plot.views[1].series.size(), 2u);
+    const PlotSeries& line = plot.views[0].series[2];
+    EXPECT_EQ(line.label, "Pareto front");
+    for (std::size_t k = 0; k < shown.rows.size(); ++k) {
+        const std::string technique = TextAt(shown, k, "technique"),
+                          setting = TextAt(shown, k, "setting");
+        EXPECT_TRUE(front.contains(technique + ", " + setting));
+        const std::size_t same = place(technique, setting);
+        EXPECT_EQ(At(shown, k, "rmse"), At(points, same, "rmse"));
+        EXPECT_EQ(At(shown, k, "ms"), At(points, same, "ms"));
+        if (k > 0) {
+            EXPECT_GE(At(shown, k, "ms"), At(shown, k - 1, "ms"));
+        }
+        EXPECT_EQ(line.x.Values()[k], At(shown, k, "ms"));
+        EXPECT_EQ(line.y.Values()[k], At(shown, k, "rmse"));
+    }
+    std::size_t row = 0;
+    for (std::size_t t = 0; t < 2; ++t) {
+        const PlotSeries &plain = plot.views[0].series[t], &after = plot.views[1].series[t];
+        EXPECT_EQ(plain.label, chosen[t].name);
+        EXPECT_EQ(after.label, chosen[t].name);
+        for (std::size_t k = 0; k < plain.x.Values().size(); ++k, ++row) {
+            EXPECT_EQ(TextAt(points, row, "technique"), chosen[t].name);
+            EXPECT_EQ(plain.x.Values()[k], At(points, row, "ms"));
+            EXPECT_EQ(plain.y.Values()[k], At(points, row, "rmse"));
+            EXPECT_EQ(after.y.Values()[k], At(points, row, "recalibrated_rmse"));
+        }
+    }
+    EXPECT_EQ(row, 18u);
 }
 
 std::vector<ChosenTechnique> With1m(const std::vector<std::string>& names) {
@@ -351,15 +428,16 @@ TEST(StudyFlicker, SeesNoiseThatChangesFromFrameToFrame) {
     const EmbreeCaster caster(scene);
     const TemporalOptions options{
         .frames = 6, .width_px = 64, .height_px = 36, .guard_px = 8, .spp = 64, .radius_m = 1};
-    const std::vector<TemporalRow> rows = StudyFlicker(
-        scene, scene.cameras.front(), caster, With1m({"rays-1", "rays-8"}), options, Ticking());
-    ASSERT_EQ(rows.size(), 2u);
-    EXPECT_EQ(rows[0].technique, "rays-1");
-    EXPECT_EQ(rows[0].score.truth.value, rows[1].score.truth.value);
-    EXPECT_GT(rows[0].score.flicker.value, 4 * rows[1].score.flicker.value);
-    EXPECT_GT(rows[0].score.candidate.value, rows[1].score.candidate.value);
+    const doc::Table rows = StudyFlicker(scene, scene.cameras.front(), caster,
+                                         With1m({"rays-1", "rays-8"}), options, Ticked())
+                                .tables[0];
+    ASSERT_EQ(rows.rows.size(), 2u);
+    EXPECT_EQ(TextAt(rows, 0, "technique"), "rays-1");
+    EXPECT_EQ(At(rows, 0, "truth"), At(rows, 1, "truth"));
+    EXPECT_GT(At(rows, 0, "flicker"), 4 * At(rows, 1, "flicker"));
+    EXPECT_GT(At(rows, 0, "candidate"), At(rows, 1, "candidate"));
     EXPECT_THROW(StudyFlicker(scene, scene.cameras.front(), caster, With1m({"rays-1"}),
-                              {.frames = 1}, Ticking()),
+                              {.frames = 1}, Ticked()),
                  Error);
 }
 
@@ -371,14 +449,20 @@ TEST(StudyFlicker, IsNothingWhereNothingOccludes) {
     AddFace(scene, {Vec3f(-4, -4, 0), Vec3f(4, -4, 0), Vec3f(4, 4, 0), Vec3f(-4, 4, 0)});
     scene.cameras = FloorAndWall(64, 36).cameras;
     const EmbreeCaster caster(scene);
-    const std::vector<TemporalRow> rows = StudyFlicker(
-        scene, scene.cameras.front(), caster, With1m({"sao-supplement2012", "rays-2"}),
-        {.frames = 3, .width_px = 64, .height_px = 36, .guard_px = 8, .spp = 16, .radius_m = 1},
-        Ticking());
-    for (const TemporalRow& row : rows) {
-        EXPECT_LT(row.score.candidate.value, 1e-10) << row.technique;  // What bytes round.
-        EXPECT_EQ(row.score.truth.value, 0);
-        EXPECT_LT(row.score.flicker.value, 1e-10);
+    const doc::Table rows = StudyFlicker(scene, scene.cameras.front(), caster,
+                                         With1m({"sao-supplement2012", "rays-2"}),
+                                         {.frames = 3,
+                                          .width_px = 64,
+                                          .height_px = 36,
+                                          .guard_px = 8,
+                                          .spp = 16,
+                                          .radius_m = 1},
+                                         Ticked())
+                                .tables[0];
+    for (std::size_t k = 0; k < 2; ++k) {  // In millionths: 1e-10, what bytes round.
+        EXPECT_LT(At(rows, k, "candidate"), 1e-4) << k;
+        EXPECT_EQ(At(rows, k, "truth"), 0);
+        EXPECT_LT(At(rows, k, "flicker"), 1e-4);
     }
 }
 

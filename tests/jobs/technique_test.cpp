@@ -203,7 +203,7 @@ TEST(TimeTechniques, TakesTheMedianOfTheRoundsAfterOneThatWarmsUp) {
         .name = "t",
         .falloff = Falloff::kHard,
         .samples = 1,
-        .run = [&](const TechniqueInput& in, const PassClock& clock) {
+        .run = [&](const TechniqueInput& in, const Clock& clock) {
             const double begin = clock();
             return std::vector<Pass>{{"p", Image<float>(in.gbuffer.z_m), clock() - begin}};
         }};

@@ -140,7 +140,12 @@ std::vector<std::string> CellsOfPage(const std::string& html) {
     for (std::size_t at = html.find("<td"); at != std::string::npos;
          at = html.find("<td", at)) {
         at = html.find('>', at) + 1;
-        cells.push_back(html.substr(at, html.find("</td>", at) - at));
+        std::string cell = html.substr(at, html.find("</td>", at) - at);
+        for (const std::string tag : {"<span class=\"spread\">", "</span>"}) {
+            const std::size_t begin = cell.find(tag);
+            if (begin != std::string::npos) cell.erase(begin, tag.size());
+        }
+        cells.push_back(std::move(cell));
     }
     return cells;
 }
@@ -287,6 +292,57 @@ TEST(Shown, SetsNamesSideBySide) {
 
 // Expected: 0.125, 0.5 and 2 lie one factor of 4 apart: best, half-way, worst; of 10, 20 and nothing
 // 20 is the best. Half-way between white (255, 255, 255) and (240, 160, 60).
+// By hand: an interval where a standard error is known too; without bounds the value alone.
+TEST(CellText, ShowsTheIntervalIfItsColumnSays) {
+    const Column error{.key = "rmse", .title = "RMSE"};
+    Column interval = error;
+    interval.interval = true;
+    const Measured m{.value = 0.12345, .standard_error = 0.0123, .interval = {0.1, 0.2}};
+    EXPECT_EQ(CellText(error, m), "0.123 ± 0.012");
+    EXPECT_EQ(CellText(interval, m), "0.123 (0.100 to 0.200)");
+    EXPECT_EQ(CellText(interval, Measured{.value = 0.12345, .standard_error = 0.0123}),
+              "0.123");
+    Document document = Made();
+    Table& table = document.sections[0].tables[0];
+    table.columns[2].interval = true;
+    table.rows = {{"x", 1, m, 0.0, 0.0}};
+    EXPECT_THAT(ToHtml(document),
+                HasSubstr("0.123 <span class=\"spread\">(0.100 to 0.200)</span>"));
+}
+
+// By hand: of a table drawn as steps the bars are of one column, the ticks of another, by its rows'
+// names; long texts may take several lines; a table of what was fastest is none without times.
+TEST(Document, DrawsStepsWrapsTextsAndDropsTablesOfTimes) {
+    Document document = Made();
+    Table steps{.key = "steps",
+                .columns = {{.key = "step", .title = "Step", .role = Role::kName},
+                            {.key = "what", .title = "What"},
+                            {.key = "error", .title = "Error"},
+                            {.key = "after", .title = "Error after"}},
+                .steps = "error",
+                .ticks = "after"};
+    steps.Add({"one", "a text that is longer than all of forty-eight letters", 0.2, 0.1});
+    steps.Add({"two", "short", 0.4, 0.2});
+    Table fastest = steps;
+    fastest.key = "fastest";
+    fastest.steps = fastest.ticks = "";
+    fastest.of_times = true;
+    document.sections[0].tables = {steps, fastest};
+    const std::string page = ToHtml(document);
+    // The greatest is 0.4, over 560 px from x = 110 on.
+    EXPECT_THAT(page, HasSubstr("x=\"390.00\" y=\"31.000\" width=\"280.00\""));
+    EXPECT_THAT(page, HasSubstr("x=\"249.00\""));  // The first tick, 0.1, 2 px wide.
+    EXPECT_THAT(page, HasSubstr(">two</text>"));
+    EXPECT_THAT(page, HasSubstr("Error after each step"));
+    EXPECT_THAT(page, HasSubstr("the tick is the Error after."));
+    EXPECT_THAT(page, HasSubstr("<td class=\"text wrap\">a text that is longer"));
+    EXPECT_THAT(page, HasSubstr("<td class=\"text\">short"));
+    EXPECT_EQ(page.find("<svg"), page.rfind("<svg"));  // Of the first table alone.
+    const Document without = WithoutTimes(document);
+    ASSERT_EQ(without.sections[0].tables.size(), 1u);
+    EXPECT_EQ(without.sections[0].tables[0].key, "steps");
+}
+
 TEST(Shown, MarksTheBestAndShadesTheOthers) {
     const Document document{.kind = "k",
                             .title = "T",

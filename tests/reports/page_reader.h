@@ -90,6 +90,31 @@ inline nlohmann::ordered_json TableIn(const nlohmann::ordered_json& document,
     return table;
 }
 
+/// The rows of the table with that id, its head left out.
+inline Rows TableWithId(const std::string& html, const std::string& id) {
+    std::size_t at = html.find("<table id=\"" + id + "\"");
+    if (at == std::string::npos) {
+        ADD_FAILURE() << "no table " << id;
+        return {};
+    }
+    const std::string body = Between(html, "<tbody>", "</tbody>", at);
+    Rows rows;
+    for (std::size_t row_at = 0;;) {
+        const std::string row = Between(body, "<tr>", "</tr>", row_at);
+        if (row_at == std::string::npos) return rows;
+        rows.emplace_back();
+        for (std::size_t cell_at = 0;;) {
+            const std::string cell = Between(row, "<td", "</td>", cell_at);
+            if (cell_at == std::string::npos) break;
+            std::string text = WithoutTags(cell.substr(cell.find('>') + 1));
+            for (std::size_t q; (q = text.find("&#39;")) != std::string::npos;) {
+                text.replace(q, 5, "'");
+            }
+            rows.back().push_back(text);
+        }
+    }
+}
+
 inline nlohmann::ordered_json PlotDataOf(const std::string& html) {
     std::size_t at = 0;
     return nlohmann::ordered_json::parse(
